@@ -1,0 +1,202 @@
+//! Every way in which millpond can refuse: what, which, where, how much. Whatever refuses leaves the state as it was.
+use core::fmt;
+
+/// A scene that cannot run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SceneError {
+    /// A field is NaN or infinite.
+    NotFinite {
+        /// Which.
+        field: &'static str,
+        /// Its value.
+        value: f32,
+    },
+    /// A field must be larger than zero.
+    NotPositive {
+        /// Which.
+        field: &'static str,
+        /// Its value.
+        value: f32,
+    },
+    /// A field must not be negative.
+    Negative {
+        /// Which.
+        field: &'static str,
+        /// Its value.
+        value: f32,
+    },
+    /// A field must lie between 0 and 1.
+    NotAShare {
+        /// Which.
+        field: &'static str,
+        /// Its value.
+        value: f32,
+    },
+    /// The container has no inside along an axis.
+    EmptyContainer {
+        /// 0, 1, 2 for x, y, z.
+        axis: usize,
+        /// Its low side, m.
+        low: f32,
+        /// Its high side, m.
+        high: f32,
+    },
+    /// A scene in 2D has gravity or a velocity along z.
+    OutOfPlane,
+    /// A wrapped axis needs three cells, else a neighbour would be met twice; in 2D there is one layer along z.
+    TooFewCells {
+        /// 0, 1, 2 for x, y, z.
+        axis: usize,
+        /// Cells along it.
+        cells: u32,
+        /// True where exactly one is wanted.
+        layer: bool,
+    },
+    /// More cells or places than an index can name.
+    TooManyCells {
+        /// Cells along x, y, z.
+        cells: [u32; 3],
+        /// Places of each.
+        places: u32,
+    },
+    /// More particles than a status word can name.
+    TooManyParticles {
+        /// Particles of the scene.
+        particles: u64,
+        /// The limit.
+        most: u64,
+    },
+    /// The memory lent is too small.
+    CapacityExceeded {
+        /// Which array or group of arrays.
+        what: &'static str,
+        /// Entries needed.
+        needed: usize,
+        /// Entries lent.
+        capacity: usize,
+    },
+    /// The scene's first forces could not be evaluated.
+    FirstStep(StepError),
+}
+
+/// A step that could not be made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum StepError {
+    /// A particle went beyond 2^22 cells from the origin, where `f32` no longer tells cells apart.
+    OutOfRange {
+        /// Its id.
+        particle: u32,
+        /// 0, 1, 2 for x, y, z.
+        axis: u32,
+        /// The step that was tried, counted from 1.
+        step: u64,
+    },
+    /// More particles came into a cell than it has places. Give `grid.structure` more, or a larger time step less.
+    CellFull {
+        /// Index of the cell.
+        cell: u32,
+        /// Particles that wanted in.
+        count: u32,
+        /// Places it has.
+        capacity: u32,
+        /// The step that was tried, counted from 1.
+        step: u64,
+    },
+    /// A quantity became NaN or infinite; most often the time step is too large.
+    NotFinite {
+        /// Its id.
+        particle: u32,
+        /// What is not finite.
+        quantity: Quantity,
+        /// The step that was tried, counted from 1.
+        step: u64,
+    },
+}
+
+/// A quantity of a particle that can stop being finite.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Quantity {
+    /// Position, m.
+    Position = 0,
+    /// Velocity, m/s.
+    Velocity = 1,
+    /// Acceleration, m/s2.
+    Acceleration = 2,
+    /// Density or a pressure, kg/m3 or Pa.
+    Density = 3,
+}
+
+impl Quantity {
+    /// By number, as a status word holds it.
+    #[must_use]
+    pub fn from_word(word: u32) -> Quantity {
+        match word & 3 {
+            0 => Quantity::Position,
+            1 => Quantity::Velocity,
+            2 => Quantity::Acceleration,
+            _ => Quantity::Density,
+        }
+    }
+}
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            SceneError::NotFinite { field, value } => write!(f, "{field} is {value}, which is not a finite number"),
+            SceneError::NotPositive { field, value } => write!(f, "{field} is {value}, and must be larger than 0"),
+            SceneError::Negative { field, value } => write!(f, "{field} is {value}, and must not be negative"),
+            SceneError::NotAShare { field, value } => write!(f, "{field} is {value}, and must lie between 0 and 1"),
+            SceneError::EmptyContainer { axis, low, high } => {
+                write!(f, "container has no inside along {}: low {low} m, high {high} m", AXES[axis])
+            }
+            SceneError::OutOfPlane => write!(f, "a scene in 2D has gravity or a velocity along z"),
+            SceneError::TooFewCells { axis, cells, layer: false } => {
+                write!(f, "grid.cells has {cells} along {}, and must have at least 3", AXES[axis])
+            }
+            SceneError::TooFewCells { axis, cells, layer: true } => {
+                write!(f, "grid.cells has {cells} along {}, and in 2D must have exactly 1", AXES[axis])
+            }
+            SceneError::TooManyCells { cells: [x, y, z], places } => {
+                write!(f, "grid.cells {x} x {y} x {z} with {places} places each are more than 2^31")
+            }
+            SceneError::TooManyParticles { particles, most } => {
+                write!(f, "the scene has {particles} particles, and at most {most} are possible")
+            }
+            SceneError::CapacityExceeded { what, needed, capacity } => {
+                write!(f, "the scene needs {needed} {what}, and the memory lent has {capacity}")
+            }
+            SceneError::FirstStep(error) => write!(f, "the scene cannot start: {error}"),
+        }
+    }
+}
+
+impl fmt::Display for StepError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            StepError::OutOfRange { particle, axis, step } => {
+                let axis = AXES[axis as usize % 3];
+                write!(f, "step {step}: particle {particle} went beyond the grid's range along {axis}")
+            }
+            StepError::CellFull { cell, count, capacity, step } => {
+                write!(f, "step {step}: cell {cell} has {count} particles and {capacity} places")
+            }
+            StepError::NotFinite { particle, quantity, step } => {
+                write!(f, "step {step}: {quantity:?} of particle {particle} is not finite any more")
+            }
+        }
+    }
+}
+
+impl core::error::Error for SceneError {}
+impl core::error::Error for StepError {}
+
+impl From<StepError> for SceneError {
+    fn from(error: StepError) -> Self {
+        SceneError::FirstStep(error)
+    }
+}

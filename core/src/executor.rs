@@ -1,0 +1,72 @@
+//! Who does the work: the host's job system, or nobody else.
+//!
+//! Passes are cut into jobs that write disjoint parts of their outputs. How many there are and who runs which never
+//! changes a bit.
+use core::ops::Range;
+use heapless::Vec;
+
+/// Most jobs that a pass is cut into.
+pub const MOST_JOBS: usize = 64;
+
+/// The jobs of a pass.
+pub(crate) type Jobs<J> = Vec<J, MOST_JOBS>;
+
+/// Runs the jobs of a pass, side by side if it can. Implement it over your own threads.
+///
+/// ```
+/// use millpond_core::Executor;
+///
+/// /// Two threads of the standard library, made anew for each pass.
+/// struct Halves;
+/// impl Executor for Halves {
+///     fn width(&self) -> usize {
+///         2
+///     }
+///     fn run<J: Send>(&self, jobs: &mut [J], work: impl Fn(&mut J) + Sync) {
+///         let (left, right) = jobs.split_at_mut(jobs.len() / 2);
+///         std::thread::scope(|scope| {
+///             scope.spawn(|| left.iter_mut().for_each(&work));
+///             right.iter_mut().for_each(&work);
+///         });
+///     }
+/// }
+/// ```
+pub trait Executor {
+    /// How many jobs may run at once.
+    fn width(&self) -> usize;
+
+    /// Does `work` once for each of `jobs`, in any order, and returns when all are done.
+    fn run<J: Send>(&self, jobs: &mut [J], work: impl Fn(&mut J) + Sync);
+}
+
+/// One job after the other, on the calling thread.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Serial;
+
+impl Executor for Serial {
+    fn width(&self) -> usize {
+        1
+    }
+
+    fn run<J: Send>(&self, jobs: &mut [J], work: impl Fn(&mut J) + Sync) {
+        jobs.iter_mut().for_each(work);
+    }
+}
+
+/// Jobs to cut a pass into: a few for each that can run at once, so that none waits long for the slowest.
+pub(crate) fn parts(executor: &impl Executor) -> usize {
+    match executor.width() {
+        0 | 1 => 1,
+        width => width.saturating_mul(4).min(MOST_JOBS),
+    }
+}
+
+/// Cuts `0..count` into `parts` runs of about the same length.
+pub(crate) fn shares(count: usize, parts: usize) -> impl Iterator<Item = Range<usize>> {
+    (0..parts).map(move |i| count * i / parts..count * (i + 1) / parts)
+}
+
+/// The first `count` items of what is left to hand out; empty where there are not so many, which no caller asks for.
+pub(crate) fn take<'a, T>(rest: &mut &'a mut [T], count: usize) -> &'a mut [T] {
+    rest.split_off_mut(..count).unwrap_or_default()
+}

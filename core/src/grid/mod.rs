@@ -1,0 +1,126 @@
+//! Where neighbours are found: particles sorted by cell, and the cells around a cell.
+//!
+//! The cells wrap around, so far particles may share one; the distance test sorts them out. The stencil runs z, then y,
+//! then x ascending in unwrapped coordinates, and members of a cell stand in the order of their ids: this order of
+//! summation is part of the specification, and no structure, grid size or history changes it.
+use crate::layout::{Parameters, f32x4};
+use core::ops::Range;
+
+/// A coordinate past this many cells from the origin cannot tell its cell any more.
+pub const FARTHEST_CELL: f32 = 4_194_304.0;
+
+/// The cell of a coordinate before wrapping, or `None` beyond the range (or for NaN).
+#[inline]
+#[must_use]
+pub fn cell_coordinate(p: &Parameters, x: f32) -> Option<i32> {
+    let scaled = x * p.inverse_cell;
+    if scaled.abs() < FARTHEST_CELL {
+        let towards_zero = scaled as i32;
+        Some(towards_zero - i32::from(towards_zero as f32 > scaled))
+    } else {
+        None
+    }
+}
+
+/// Index of the wrapped cell at unwrapped coordinates: floor and Euclidean remainder (S0 source 4.2 per errata).
+#[inline]
+#[must_use]
+pub fn cell_index(p: &Parameters, c: [i32; 3]) -> u32 {
+    let wrap = |axis: usize| c[axis].rem_euclid(p.cells[axis] as i32) as u32;
+    wrap(0) + p.cells[0] * (wrap(1) + p.cells[1] * wrap(2))
+}
+
+/// Cell of a position, or the first axis along which it lies beyond the range.
+#[inline]
+pub fn cell_of(p: &Parameters, position: f32x4) -> Result<u32, u32> {
+    let mut c = [0; 3];
+    for (axis, c) in c.iter_mut().enumerate() {
+        *c = cell_coordinate(p, position[axis]).ok_or(axis as u32)?;
+    }
+    Ok(cell_index(p, c))
+}
+
+/// The sorted particles: those of cell `c` stand at slots `begin[c] ..`, `counter[c]` of them.
+#[derive(Clone, Copy)]
+pub struct Cells<'a> {
+    /// First slot of each cell.
+    pub begin: &'a [u32],
+    /// Particles of each cell.
+    pub counter: &'a [u32],
+}
+
+impl Cells<'_> {
+    /// Slots of a cell.
+    #[inline(always)]
+    #[must_use]
+    pub fn members(&self, cell: usize) -> Range<usize> {
+        let begin = self.begin[cell] as usize;
+        begin..begin + self.counter[cell] as usize
+    }
+
+    /// First slot of a cell, or the number of particles for the one after the last.
+    fn first_slot(&self, cell: usize, particles: usize) -> usize {
+        self.begin.get(cell).map_or(particles, |&slot| slot as usize)
+    }
+
+    /// Cuts the cells into `parts` runs of about equally many particles: (cells, slots) of each.
+    pub fn shares(self, parts: usize, particles: usize) -> impl Iterator<Item = (Range<usize>, Range<usize>)> {
+        let mut from = 0;
+        (1..=parts).map(move |part| {
+            let target = particles * part / parts;
+            let to = if part == parts {
+                self.begin.len()
+            } else {
+                self.begin.partition_point(|&slot| (slot as usize) < target).max(from)
+            };
+            let share = (from..to, self.first_slot(from, particles)..self.first_slot(to, particles));
+            from = to;
+            share
+        })
+    }
+}
+
+/// Runs of slots around a cell, in the order of the stencil.
+pub struct Stencil {
+    runs: [(u32, u32); 27],
+    count: usize,
+}
+
+impl Stencil {
+    /// The runs around `cell`. Cells that follow each other along x without wrapping share one.
+    #[inline]
+    #[must_use]
+    pub fn around(p: &Parameters, layers: i32, cells: Cells<'_>, cell: usize) -> Stencil {
+        let [nx, ny] = [p.cells[0] as usize, p.cells[1] as usize];
+        let own = [cell % nx, cell / nx % ny, cell / nx / ny].map(|c| c as i32);
+        let mut stencil = Stencil { runs: [(0, 0); 27], count: 0 };
+        for dz in -layers..=layers {
+            for dy in -1..=1 {
+                let row = |dx: i32| cell_index(p, [own[0] + dx, own[1] + dy, own[2] + dz]) as usize;
+                if own[0] > 0 && own[0] + 1 < nx as i32 {
+                    stencil.push(cells.members(row(-1)).start, cells.members(row(1)).end);
+                } else {
+                    for dx in -1..=1 {
+                        let run = cells.members(row(dx));
+                        stencil.push(run.start, run.end);
+                    }
+                }
+            }
+        }
+        stencil
+    }
+
+    #[inline(always)]
+    fn push(&mut self, start: usize, end: usize) {
+        if start < end {
+            self.runs[self.count] = (start as u32, end as u32);
+            self.count += 1;
+        }
+    }
+
+    /// The runs.
+    #[inline(always)]
+    pub fn runs(&self) -> impl Iterator<Item = Range<usize>> {
+        self.runs[..self.count].iter().map(|&(start, end)| start as usize..end as usize)
+    }
+}

@@ -1,0 +1,46 @@
+//! The state hash, and sums over a whole fluid: both in the order of the ids, so that no slot can change them.
+use crate::layout::f32x4;
+
+/// FNV-1a, 64 bits, over little-endian bytes.
+#[derive(Clone, Copy, Debug)]
+pub struct Fnv(pub u64);
+
+impl Default for Fnv {
+    fn default() -> Self {
+        Fnv(0xcbf2_9ce4_8422_2325)
+    }
+}
+
+impl Fnv {
+    /// Adds a word.
+    #[must_use]
+    pub fn word(self, word: u32) -> Fnv {
+        Fnv(word
+            .to_le_bytes()
+            .iter()
+            .fold(self.0, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)))
+    }
+}
+
+/// Hash of the positions and velocities, xyz each, particle after particle; `slot` is the slot of each id.
+#[must_use]
+pub fn state_hash(slot: &[u32], position: &[f32x4], velocity: &[f32x4]) -> u64 {
+    let words = slot.iter().flat_map(|&s| {
+        let [x, y, z, _] = position[s as usize];
+        let [u, v, w, _] = velocity[s as usize];
+        [x, y, z, u, v, w].map(f32::to_bits)
+    });
+    words.fold(Fnv::default(), Fnv::word).0
+}
+
+/// Sum of `term(0) .. term(count - 1)` by halves: one fixed tree, whoever computes it, and a small rounding error.
+pub fn tree_sum(count: usize, term: &impl Fn(usize) -> f64) -> f64 {
+    fn of(from: usize, to: usize, term: &impl Fn(usize) -> f64) -> f64 {
+        match to - from {
+            0 => 0.0,
+            1 => term(from),
+            n => of(from, from + n / 2, term) + of(from + n / 2, to, term),
+        }
+    }
+    of(0, count, term)
+}

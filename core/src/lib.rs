@@ -1,0 +1,42 @@
+//! millpond-core: the physics of a fixed-capacity SPH fluid and its CPU solver.
+//!
+//! No standard library, no allocation: you lend memory ([`Storage`], or slices of your own), say what the scene is
+//! ([`scene::Scene`]), and call [`Solver::step`]. The same scene gives the same bits on any number of threads, at every
+//! SIMD level, in debug and release, with either grid structure, and on the GPU backend in strict mode.
+//!
+//! Read in this order:
+//! 1. [`scene`], what can be asked for, and [`guided`], all that follows from it;
+//! 2. [`step`], one page: the passes and their order;
+//! 3. [`terms`], the physics, each formula once for scalar, lanes and WGSL ([`arithmetic`] holds the vocabulary);
+//! 4. `passes`, the loops, and [`grid`], how neighbours are found;
+//! 5. [`solver`], [`storage`], [`layout`]: the face, the memory, the bytes.
+//!
+//! SI units throughout; in 2D every z is 0 and masses are per metre of depth.
+#![no_std]
+#![deny(unsafe_code)]
+
+pub mod arithmetic;
+pub mod error;
+pub mod executor;
+pub mod grid;
+pub mod guided;
+pub mod hash;
+pub mod kernel;
+pub mod layout;
+mod passes;
+pub mod plan;
+pub mod report;
+pub mod scene;
+pub mod solver;
+pub mod step;
+pub mod storage;
+pub mod terms;
+
+pub use arithmetic::level::Simd;
+pub use error::{SceneError, StepError};
+pub use executor::{Executor, Serial};
+pub use passes::p11_commit::verdict;
+pub use plan::Plan;
+pub use solver::{Particle, Solver};
+pub use step::Pass;
+pub use storage::{CellPlaces, Memory, Needs, Storage};

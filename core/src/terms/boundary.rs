@@ -1,0 +1,46 @@
+//! Penalty walls (S0 section 3.5.1). A wall is a plane `n . x = offset` with its normal n towards the fluid; a particle
+//! found behind it is put back and its velocity reflected.
+use super::geometry::*;
+use crate::arithmetic::real::*;
+use crate::layout::{Model, Parameters};
+
+/// How far a particle stands behind the plane, m; negative in front of it.
+#[inline(always)]
+pub fn depth_behind<R: Real>(position: vec3<R>, normal: vec3<R>, offset: R) -> R {
+    return offset - dot3(position, normal);
+}
+
+/// The particle, put back on the plane along the normal where it stands behind (S0 figure 3.7).
+#[inline(always)]
+pub fn put_back<R: Real>(position: vec3<R>, normal: vec3<R>, depth: R) -> vec3<R> {
+    return flush3(position + normal * larger(depth, real(0.0)));
+}
+
+/// How much of the normal velocity is given back: all that `bounce` says, or, conserving energy (Kelager 2006; S0 figure
+/// 3.8), only the share of the step's path that lay behind the wall, `depth / (|v| dt)`, which is at most all of it.
+#[inline(always)]
+pub fn returned_share<R: Real>(m: &Model, p: &Parameters, velocity: vec3<R>, depth: R) -> R {
+    let all: R = real(p.bounce);
+    if m.reflection == 0 {
+        return all;
+    }
+    let path = root(length2(velocity)) * p.time_step;
+    return smaller(div(depth, path), real(1.0)) * all;
+}
+
+/// `v' = -bounce v_n + slip v_t` for a particle behind the wall (S0 3.5.1); one that already leaves it keeps its v_n.
+#[inline(always)]
+pub fn reflect<R: Real>(m: &Model, p: &Parameters, velocity: vec3<R>, normal: vec3<R>, depth: R) -> vec3<R> {
+    let along = dot3(velocity, normal);
+    let leaving = larger(along, real(0.0));
+    let entering = larger(-along, real(0.0));
+    let new_along = leaving + entering * returned_share(m, p, velocity, depth);
+    let tangent = (velocity - normal * along) * real(p.slip);
+    let turned = tangent + normal * new_along;
+    let nothing: R = real(0.0);
+    return flush3(vec3(
+        select(velocity.x, turned.x, less(nothing, depth)),
+        select(velocity.y, turned.y, less(nothing, depth)),
+        select(velocity.z, turned.z, less(nothing, depth)),
+    ));
+}

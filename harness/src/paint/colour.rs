@@ -1,0 +1,118 @@
+//! Colours: the map from a number to a colour of water, and the way between light and bytes.
+//!
+//! Colours are mixed and lit as linear light, a `Vec3` of red, green and blue from 0 to 1, and become sRGB bytes last.
+
+use glam::Vec3;
+
+/// Deep blue, blue, cyan, pale cyan, white: steps of the water map in sRGB.
+const WATER: [u32; 6] = [0x0b_2463, 0x14_4f9f, 0x1a_86c7, 0x3c_bcdc, 0x9c_e3ec, 0xff_ffff];
+
+/// Drawn where there is no sound number to map: no step of the water map is near to it.
+const BROKEN: u32 = 0xd6_1f8d;
+
+/// Entries of a colour map.
+const ENTRIES: usize = 256;
+
+/// A colour for every number between two ends.
+pub(super) struct ColourMap {
+    range: [f32; 2],
+    entries: Vec<Vec3>,
+}
+
+impl ColourMap {
+    /// The map for water, dark to light over `range`.
+    ///
+    /// The steps are laid out by their own lightness, so that equal steps of the number are equal steps to the eye.
+    pub(super) fn water(range: [f32; 2]) -> Self {
+        let steps = WATER.map(|hex| to_oklab(from_srgb(hex)));
+        let (dark, light) = (steps[0].x, steps[WATER.len() - 1].x);
+        let entry = |i: usize| {
+            let lightness = dark + (light - dark) * i as f32 / (ENTRIES - 1) as f32;
+            let next = steps.iter().position(|step| step.x >= lightness).unwrap_or(WATER.len() - 1).max(1);
+            let (a, b) = (steps[next - 1], steps[next]);
+            from_oklab(a.lerp(b, ((lightness - a.x) / (b.x - a.x)).clamp(0.0, 1.0)))
+        };
+        Self { range, entries: (0..ENTRIES).map(entry).collect() }
+    }
+
+    /// The colour of `value`; values past the ends take the colour of the end.
+    pub(super) fn at(&self, value: f32) -> Vec3 {
+        let [low, high] = self.range;
+        let share = (value - low) / (high - low);
+        match (value.is_finite(), share.is_nan()) {
+            (false, _) => from_srgb(BROKEN),
+            (true, true) => self.along(0.0), // an empty range, such as the speeds of water at rest
+            (true, false) => self.along(share),
+        }
+    }
+
+    /// The colour `share` of the way along the map.
+    pub(super) fn along(&self, share: f32) -> Vec3 {
+        let last = self.entries.len() - 1;
+        self.entries[(share.clamp(0.0, 1.0) * last as f32 + 0.5) as usize]
+    }
+}
+
+/// Linear light of an sRGB colour written as `0xRRGGBB`.
+pub(super) fn from_srgb(hex: u32) -> Vec3 {
+    let part = |shift: u32| {
+        let part = (hex >> shift & 0xff) as f32 / 255.0;
+        if part <= 0.04045 { part / 12.92 } else { ((part + 0.055) / 1.055).powf(2.4) }
+    };
+    Vec3::new(part(16), part(8), part(0))
+}
+
+/// Turns linear light into sRGB bytes by table: a power a channel of every pixel would cost more than the lighting.
+pub(super) struct Encoder {
+    table: Vec<u8>,
+}
+
+impl Encoder {
+    /// Steps of light. The curve is steepest at black, where one step is still less than one byte value.
+    const STEPS: usize = 4096;
+
+    /// Fills the table.
+    pub(super) fn new() -> Self {
+        let byte = |i: usize| {
+            let light = i as f32 / (Self::STEPS - 1) as f32;
+            let part = if light <= 0.003_130_8 { light * 12.92 } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 };
+            (part * 255.0 + 0.5) as u8
+        };
+        Self { table: (0..Self::STEPS).map(byte).collect() }
+    }
+
+    /// The bytes of a colour; light past white is white.
+    pub(super) fn bytes(&self, light: Vec3) -> [u8; 3] {
+        light.to_array().map(|part| self.table[(part.clamp(0.0, 1.0) * (Self::STEPS - 1) as f32 + 0.5) as usize])
+    }
+}
+
+/// Linear light to Oklab (lightness, green-red, blue-yellow), a space in which equal distances look equal.
+fn to_oklab(light: Vec3) -> Vec3 {
+    let cone = |r, g, b| light.dot(Vec3::new(r, g, b)).cbrt();
+    let cones = Vec3::new(
+        cone(0.412_221_46, 0.536_332_55, 0.051_445_995),
+        cone(0.211_903_5, 0.680_699_5, 0.107_396_96),
+        cone(0.088_302_46, 0.281_718_85, 0.629_978_7),
+    );
+    Vec3::new(
+        cones.dot(Vec3::new(0.210_454_26, 0.793_617_8, -0.004_072_047)),
+        cones.dot(Vec3::new(1.977_998_5, -2.428_592_2, 0.450_593_7)),
+        cones.dot(Vec3::new(0.025_904_037, 0.782_771_77, -0.808_675_77)),
+    )
+}
+
+/// The way back from [`to_oklab`].
+fn from_oklab(lab: Vec3) -> Vec3 {
+    let cone = |a, b| lab.dot(Vec3::new(1.0, a, b)).powi(3);
+    let cones = Vec3::new(
+        cone(0.396_337_78, 0.215_803_76),
+        cone(-0.105_561_346, -0.063_854_17),
+        cone(-0.089_484_18, -1.291_485_5),
+    );
+    Vec3::new(
+        cones.dot(Vec3::new(4.076_741_7, -3.307_711_6, 0.230_969_93)),
+        cones.dot(Vec3::new(-1.268_438, 2.609_757_4, -0.341_319_4)),
+        cones.dot(Vec3::new(-0.004_196_086_3, -0.703_418_6, 1.707_614_7)),
+    )
+}

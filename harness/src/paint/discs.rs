@@ -1,0 +1,155 @@
+//! The rasteriser: which sphere is nearest at every sample.
+//!
+//! A sphere is drawn as the disc that it covers, with the depth of the sphere's own surface at each sample, so that
+//! two spheres that overlap meet in a clean seam.
+
+use super::Frame;
+use super::camera::Camera;
+use super::colour::ColourMap;
+use glam::{Vec2, Vec3};
+use rayon::prelude::*;
+
+/// Least radius of a disc, samples: below it a far particle would fall between the samples and flicker.
+const LEAST_RADIUS: f32 = 1.2;
+
+/// Rows that one task draws.
+const BAND: usize = 32;
+
+/// A particle as the picture sees it.
+pub(super) struct Disc {
+    /// Middle of the disc, samples.
+    pub at: Vec2,
+    /// Radius of the disc, samples.
+    pub radius: f32,
+    /// Depth of the sphere's centre, metres.
+    pub depth: f32,
+    /// Radius of the sphere, metres.
+    pub bulge: f32,
+    /// Colour before any light falls on it.
+    pub colour: Vec3,
+}
+
+impl Disc {
+    /// The particles of `frame` that can be seen, nearest first.
+    ///
+    /// That order lets most samples of a hidden sphere be turned down by one comparison.
+    pub(super) fn project(frame: &Frame, camera: &Camera, map: &ColourMap) -> Vec<Self> {
+        let bulge = if frame.radius.is_finite() { frame.radius.max(0.0) } else { 0.0 };
+        let disc = |(i, &[x, y, z, _]): (usize, &[f32; 4])| {
+            let spot = camera.spot(Vec3::new(x, y, z))?;
+            let colour = map.at(frame.shade.get(i).copied().unwrap_or(f32::NAN));
+            let radius = (bulge * spot.scale).max(LEAST_RADIUS);
+            Some(Self { at: spot.at, radius, depth: spot.depth, bulge, colour })
+        };
+        let mut discs: Vec<_> =
+            frame.positions.iter().enumerate().take(Sample::EDGE as usize).filter_map(disc).collect();
+        discs.sort_by(|a, b| a.depth.total_cmp(&b.depth)); // stable: particles of equal depth keep their order
+        discs
+    }
+
+    /// Direction from the sphere's centre to its surface at a sample: right, up and towards the eye.
+    pub(super) fn normal(&self, at: Vec2) -> Vec3 {
+        let offset = (at - self.at) / self.radius;
+        Vec3::new(offset.x, -offset.y, (1.0 - offset.length_squared()).max(0.0).sqrt())
+    }
+}
+
+/// What one sample shows.
+#[derive(Clone, Copy)]
+pub(super) struct Sample {
+    /// Depth of the surface, metres; infinite where there is none.
+    pub depth: f32,
+    /// Index of the disc, or [`Sample::EDGE`], or [`Sample::NOTHING`].
+    pub disc: u32,
+}
+
+impl Sample {
+    /// Shows an edge of the container.
+    pub(super) const EDGE: u32 = u32::MAX - 1;
+    /// Shows the background.
+    pub(super) const NOTHING: u32 = u32::MAX;
+}
+
+/// The samples of a picture, row by row from the top.
+pub(super) struct Layer {
+    width: usize,
+    height: usize,
+    samples: Vec<Sample>,
+}
+
+impl Layer {
+    /// A layer that shows nothing.
+    pub(super) fn new(width: usize, height: usize) -> Self {
+        Self { width, height, samples: vec![Sample { depth: f32::INFINITY, disc: Sample::NOTHING }; width * height] }
+    }
+
+    /// Samples across.
+    pub(super) fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Samples down.
+    pub(super) fn height(&self) -> usize {
+        self.height
+    }
+
+    /// The sample at a place, which is held to the picture.
+    pub(super) fn sample(&self, x: isize, y: isize) -> Sample {
+        let (x, y) = (x.clamp(0, self.width as isize - 1), y.clamp(0, self.height as isize - 1));
+        self.samples[y as usize * self.width + x as usize]
+    }
+
+    /// Draws the spheres; where several cover a sample the nearest is kept, the first of equals.
+    pub(super) fn draw_discs(&mut self, discs: &[Disc]) {
+        let width = self.width;
+        self.samples.par_chunks_mut(BAND * width).enumerate().for_each(|(band, samples)| {
+            let top = (band * BAND) as f32;
+            let bottom = top + (samples.len() / width) as f32;
+            for (disc, index) in discs.iter().zip(0..) {
+                if disc.at.y + disc.radius > top && disc.at.y - disc.radius < bottom {
+                    draw_disc(samples, width, top, disc, index);
+                }
+            }
+        });
+    }
+
+    /// Draws one dot of an edge: a small flat square at `at`, where nothing nearer is.
+    pub(super) fn draw_dot(&mut self, at: Vec2, half: f32, depth: f32) {
+        let [columns, rows] = [(at.x, self.width), (at.y, self.height)].map(|(at, size)| covered(at, half, size));
+        for row in rows {
+            for sample in &mut self.samples[row * self.width..][columns.clone()] {
+                if depth < sample.depth {
+                    *sample = Sample { depth, disc: Sample::EDGE };
+                }
+            }
+        }
+    }
+}
+
+/// Draws one sphere into the rows of a band that starts `top` rows down the picture.
+fn draw_disc(samples: &mut [Sample], width: usize, top: f32, disc: &Disc, index: u32) {
+    let front = disc.depth - disc.bulge;
+    let steepness = disc.radius.recip();
+    for row in covered(disc.at.y - top, disc.radius, samples.len() / width) {
+        let dy = (row as f32 + 0.5 + top - disc.at.y) * steepness;
+        let left = (1.0 - dy * dy).max(0.0);
+        let columns = covered(disc.at.x, disc.radius * left.sqrt(), width);
+        let first = columns.start as f32 + 0.5 - disc.at.x;
+        for (sample, step) in samples[row * width..][columns].iter_mut().zip(0u16..) {
+            if front < sample.depth {
+                let dx = (first + f32::from(step)) * steepness;
+                let depth = disc.depth - disc.bulge * (left - dx * dx).max(0.0).sqrt();
+                if depth < sample.depth {
+                    *sample = Sample { depth, disc: index };
+                }
+            }
+        }
+    }
+}
+
+/// The samples, of a row or column of `size`, whose middles lie within `reach` of `at`.
+fn covered(at: f32, reach: f32, size: usize) -> std::ops::Range<usize> {
+    let end = ((at + reach + 0.5).max(0.0) as usize).min(size); // casts saturate, so a place far outside is no trouble
+    let start = ((at - reach + 0.5).max(0.0) as usize).min(end);
+    start..end
+}

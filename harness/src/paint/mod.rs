@@ -1,0 +1,154 @@
+//! A small software painter: a cloud of particles in, a picture out.
+//!
+//! Every particle is drawn as a lit sphere. The work is done in three passes, none of which needs a GPU:
+//!
+//! 1. [`camera`] puts the particles into the picture and [`discs`] finds, for every sample, the nearest sphere there;
+//!    [`outline`] adds the edges of the container to the same depth buffer.
+//! 2. [`light`] colours each sample from the sphere it shows and from the depths around it, so that the large shape of
+//!    the water is seen as well as the single particle, and averages a square of samples into a pixel.
+//! 3. [`text`] writes the caption and the colour bar over the finished [`Canvas`], which saves itself as PNG.
+//!
+//! The same input gives the same bytes, however many threads share the work: a thread owns whole rows, and within a
+//! row the particles are always met in the same order.
+
+mod camera;
+mod canvas;
+mod colour;
+mod discs;
+mod floor;
+mod light;
+mod outline;
+mod text;
+
+use camera::Camera;
+pub use canvas::Canvas;
+use colour::ColourMap;
+use discs::{Disc, Layer};
+use floor::Floor;
+use glam::Vec3;
+
+/// Samples along one side of a pixel.
+const SUPERSAMPLING: u32 = 2;
+
+/// Largest side of a picture, pixels: the samples of a larger one would not fit into an ordinary machine's memory.
+const MAX_SIDE: u32 = 8192;
+
+/// What one picture shows.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame<'a> {
+    /// Positions, xyz in metres with y up, w ignored. A position that is not finite is not drawn.
+    pub positions: &'a [[f32; 4]],
+    /// One number a particle that picks its colour (speed in m/s, or density in kg/m3). A particle whose number is
+    /// missing or not finite is drawn magenta, a colour that the map does not hold.
+    pub shade: &'a [f32],
+    /// Value of `shade` at the two ends of the colour map.
+    pub range: [f32; 2],
+    /// Drawn radius of a particle, metres.
+    pub radius: f32,
+    /// Opposite corners of the container to outline, if any.
+    pub container: Option<[Vec3; 2]>,
+    /// A caption in the picture's corner, such as "t = 0.50 s   speed 0 .. 4 m/s"; may have several lines.
+    pub caption: &'a str,
+    /// Label of the colour bar, such as "speed, m/s".
+    pub legend: &'a str,
+}
+
+/// Where the picture is taken from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum View {
+    /// Straight along -z without perspective, for flow in the xy plane.
+    Flat,
+    /// In perspective, looking at the middle of the bounds from a circle around it.
+    Orbit {
+        /// Turn about the y axis: 0 looks along -z, 90 looks along -x.
+        yaw_degrees: f32,
+        /// Height above the horizon: 0 looks level, 90 looks straight down.
+        pitch_degrees: f32,
+    },
+}
+
+/// Draws `frame` as seen by `view`, framing the box `bounds`; picture of `width` x `height` pixels.
+///
+/// The middle of `bounds` is the middle of the picture, and all of the box is in it. Sides are held between 1 and 8192
+/// pixels.
+#[must_use]
+pub fn paint(frame: &Frame, view: &View, bounds: [Vec3; 2], width: u32, height: u32) -> Canvas {
+    let (width, height) = (width.clamp(1, MAX_SIDE), height.clamp(1, MAX_SIDE));
+    let (wide, high) = (width * SUPERSAMPLING, height * SUPERSAMPLING);
+    let camera = Camera::new(view, bounds, wide as f32, high as f32, text::margin(height) * SUPERSAMPLING as f32);
+    let map = ColourMap::water(frame.range);
+    let container = frame.container.filter(|[a, b]| a.is_finite() && b.is_finite());
+
+    let discs = Disc::project(frame, &camera, &map);
+    let mut layer = Layer::new(wide as usize, high as usize);
+    layer.draw_discs(&discs);
+    if let Some(corners) = container {
+        outline::draw(&mut layer, &camera, corners);
+    }
+    let floor = container.and_then(|corners| Floor::new(&camera, corners, frame));
+    let mut canvas = light::expose(&layer, &discs, &camera, floor.as_ref());
+    text::caption(&mut canvas, frame.caption);
+    text::colour_bar(&mut canvas, &map, frame.range, frame.legend);
+    canvas
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BOUNDS: [Vec3; 2] = [Vec3::new(-1.0, 0.0, -1.0), Vec3::new(1.0, 2.0, 1.0)];
+
+    fn frame<'a>(positions: &'a [[f32; 4]], shade: &'a [f32]) -> Frame<'a> {
+        Frame { positions, shade, range: [0.0, 1.0], radius: 0.1, container: None, caption: "", legend: "" }
+    }
+
+    /// How much lighter the background is than the pixel in the middle of the picture.
+    fn darkness(canvas: &Canvas, x: u32, y: u32) -> i32 {
+        let sum = |pixel: [u8; 3]| pixel.map(i32::from).iter().sum::<i32>();
+        let [corner, here] = [(0, 0), (x, y)].map(|(x, y)| canvas.pixel(x, y).map_or(0, sum));
+        corner - here
+    }
+
+    #[test]
+    fn nearer_disc_hides_the_farther_one_in_any_order() {
+        // Seen level from +x, the slow particle (deep blue) stands in front of the fast one (white), then behind it.
+        let view = View::Orbit { yaw_degrees: 90.0, pitch_degrees: 0.0 };
+        let (near, far) = ([0.5, 1.0, 0.0, 0.0], [-0.5, 1.0, 0.0, 0.0]);
+        let middle = |positions: &[[f32; 4]], shade: &[f32]| {
+            darkness(&paint(&frame(positions, shade), &view, BOUNDS, 200, 100), 100, 50)
+        };
+        let slow_in_front = middle(&[near, far], &[0.0, 1.0]);
+        assert!(slow_in_front > middle(&[near, far], &[1.0, 0.0]) + 150);
+        assert_eq!(slow_in_front, middle(&[far, near], &[1.0, 0.0]));
+    }
+
+    #[test]
+    fn same_input_gives_the_same_bytes_on_any_number_of_threads() {
+        let positions: Vec<[f32; 4]> = (0..500)
+            .map(|i| [(i * 7 % 97) as f32 / 60.0 - 0.8, (i * 13 % 89) as f32 / 60.0, (i % 11) as f32 / 8.0 - 0.7, 0.0])
+            .collect();
+        let shade: Vec<f32> = (0..500).map(|i| (i % 10) as f32 / 9.0).collect();
+        let picture = || {
+            let frame = Frame { container: Some(BOUNDS), caption: "t = 1 s", ..frame(&positions, &shade) };
+            paint(&frame, &View::Orbit { yaw_degrees: 30.0, pitch_degrees: 20.0 }, BOUNDS, 160, 90)
+        };
+        let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a pool of one thread");
+        assert!(picture() == picture() && picture() == alone.install(picture));
+    }
+
+    #[test]
+    fn middle_of_the_bounds_is_the_middle_of_the_picture_and_broken_numbers_do_no_harm() {
+        let positions = [[0.0, 1.0, 0.0, 0.0], [f32::NAN; 4], [f32::INFINITY, 0.0, 0.0, 0.0]];
+        for view in [View::Flat, View::Orbit { yaw_degrees: -70.0, pitch_degrees: 35.0 }] {
+            let canvas = paint(&frame(&positions, &[0.0]), &view, BOUNDS, 200, 100);
+            let dark: Vec<_> = (0..100)
+                .flat_map(|y| (0..200).map(move |x| (x, y)))
+                .filter(|&(x, y)| y < 80 && darkness(&canvas, x, y) > 100)
+                .collect();
+            let count = dark.len() as f32;
+            let [x, y] = [dark.iter().map(|p| p.0).sum::<u32>(), dark.iter().map(|p| p.1).sum::<u32>()];
+            assert!(count > 20.0);
+            assert!((x as f32 / count + 0.5 - 100.0).abs() < 0.6 && (y as f32 / count + 0.5 - 50.0).abs() < 0.6);
+        }
+    }
+}
