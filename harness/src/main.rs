@@ -1,1 +1,14 @@
-fn main() {}
+//! The program: see `millpond help`.
+use clap::Parser as _;
+use millpond::cli::Cli;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    match Cli::parse().execute() {
+        Ok(kept) => ExitCode::from(u8::from(!kept)),
+        Err(failure) => {
+            eprintln!("millpond: {failure}");
+            ExitCode::from(failure.exit_status())
+        }
+    }
+}

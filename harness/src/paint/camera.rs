@@ -3,9 +3,9 @@
 use super::View;
 use glam::{Mat3, Vec2, Vec3};
 
-/// Distance between the eye and the picture, in picture heights: a lens of about 28 degrees, long enough that a box
+/// Distance between the eye and the picture, in picture heights: a lens of about 19 degrees, long enough that a box
 /// still looks like one.
-const FOCAL_HEIGHTS: f32 = 2.0;
+const FOCAL_HEIGHTS: f32 = 3.0;
 
 /// Points nearer to the eye than this share of the distance to the target are not drawn.
 const NEAR: f32 = 0.05;

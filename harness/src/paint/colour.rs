@@ -5,7 +5,7 @@
 use glam::Vec3;
 
 /// Deep blue, blue, cyan, pale cyan, white: steps of the water map in sRGB.
-const WATER: [u32; 6] = [0x0b_2463, 0x14_4f9f, 0x1a_86c7, 0x3c_bcdc, 0x9c_e3ec, 0xff_ffff];
+const WATER: [u32; 6] = [0x0d_2b78, 0x12_52ad, 0x10_87cf, 0x30_bfe3, 0x98_e6ef, 0xff_ffff];
 
 /// Drawn where there is no sound number to map: no step of the water map is near to it.
 const BROKEN: u32 = 0xd6_1f8d;

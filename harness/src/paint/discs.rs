@@ -115,7 +115,9 @@ impl Layer {
 
     /// Draws one dot of an edge: a small flat square at `at`, where nothing nearer is.
     pub(super) fn draw_dot(&mut self, at: Vec2, half: f32, depth: f32) {
-        let [columns, rows] = [(at.x, self.width), (at.y, self.height)].map(|(at, size)| covered(at, half, size));
+        // A level edge may lie just between two rows, where rounding noise would make a dotted line of it.
+        let steady = (at * 64.0).round() / 64.0;
+        let [columns, rows] = [(steady.x, self.width), (steady.y, self.height)].map(|(at, n)| covered(at, half, n));
         for row in rows {
             for sample in &mut self.samples[row * self.width..][columns.clone()] {
                 if depth < sample.depth {

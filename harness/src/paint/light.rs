@@ -1,24 +1,24 @@
 //! The lighting: from samples to the colours of pixels.
 //!
-//! A sphere is lit from above, which shows the particle. What shows the wave is the relief: the depths on a ring
-//! around a sample say which way the water's surface leans there and whether something nearer shades it.
+//! A sphere is lit from above, which shows the particle. What shows the wave is the relief: the depths on rings
+//! around a particle say which way the water's surface leans there and whether something nearer shades it.
 
 use super::SUPERSAMPLING;
 use super::camera::Camera;
 use super::canvas::Canvas;
 use super::colour::{Encoder, from_srgb};
 use super::discs::{Disc, Layer, Sample};
-use super::floor::Floor;
+use super::tank::Floor;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
 /// Where the light comes from: right, up and towards the eye.
 const SUN: Vec3 = Vec3::new(-0.45, 0.70, 0.555);
 
-/// Radius of the ring that the relief is read from, in radii of the particle.
-const RING: f32 = 3.5;
+/// Radii of the rings that the relief is read from, in radii of the particle.
+const RINGS: [f32; 2] = [2.6, 4.4];
 
-/// Directions of the ring.
+/// Directions on a ring.
 const AROUND: [Vec2; 8] = {
     const D: f32 = std::f32::consts::FRAC_1_SQRT_2;
     [
@@ -53,11 +53,14 @@ pub(super) fn expose(layer: &Layer, discs: &[Disc], camera: &Camera, floor: Opti
 struct Studio<'a> {
     layer: &'a Layer,
     discs: &'a [Disc],
+    reliefs: Vec<Relief>,
     camera: &'a Camera,
     floor: Option<&'a Floor>,
     sky: [Vec3; 2],
     ground: [Vec3; 2],
     edge: [Vec3; 2],
+    haze: Vec3,
+    gleam: Vec3,
 }
 
 impl<'a> Studio<'a> {
@@ -65,11 +68,14 @@ impl<'a> Studio<'a> {
         Self {
             layer,
             discs,
+            reliefs: discs.par_iter().map(|disc| Relief::new(layer, disc, camera)).collect(),
             camera,
             floor,
             sky: [0xfa_fcfd, 0xe9_eff4].map(from_srgb),
             ground: [0xdf_e6ec, 0x86_9db0].map(from_srgb),
-            edge: [0x4d_5b68, 0xa3_b0bc].map(from_srgb),
+            edge: [0x5b_6975, 0xae_bac5].map(from_srgb),
+            haze: from_srgb(0x8a_c6f0),
+            gleam: from_srgb(0xa8_e4ff),
         }
     }
 
@@ -77,8 +83,9 @@ impl<'a> Studio<'a> {
     fn light(&self, x: usize, y: usize) -> Vec3 {
         let sample = self.layer.sample(x as isize, y as isize);
         let at = Vec2::new(x as f32, y as f32) + 0.5;
-        match (sample.disc, self.discs.get(sample.disc as usize)) {
-            (_, Some(disc)) => self.water(disc, at),
+        let seen = sample.disc as usize;
+        match (sample.disc, self.discs.get(seen).zip(self.reliefs.get(seen))) {
+            (_, Some((disc, relief))) => self.water(disc, relief, at),
             (Sample::EDGE, None) => self.edge[0].lerp(self.edge[1], self.camera.recession(sample.depth)),
             _ => self.behind(at),
         }
@@ -93,32 +100,45 @@ impl<'a> Studio<'a> {
     }
 
     /// Colour of a particle.
-    fn water(&self, disc: &Disc, at: Vec2) -> Vec3 {
-        let (lean, shade) = self.relief(disc, at);
+    fn water(&self, disc: &Disc, relief: &Relief, at: Vec2) -> Vec3 {
         let bead = disc.normal(at);
-        let normal = (bead * 0.55 + lean).normalize_or_zero();
+        let normal = (bead * 0.55 + relief.lean).normalize_or_zero();
         let lambert = normal.dot(SUN).max(0.0);
         let sky = 0.5 + 0.5 * normal.y;
         let rim = 1.0 - bead.z;
-        let strength = (0.34 + 0.22 * sky + 0.62 * lambert) * (1.0 - 0.35 * rim * rim) * (1.0 - 0.55 * shade);
-        let shine = 0.22 * normal.dot((SUN + Vec3::Z).normalize_or_zero()).max(0.0).powi(24);
-        let lit = disc.colour * strength + shine * (1.0 - shade);
-        lit.lerp(self.sky[1], 0.22 * self.camera.recession(disc.depth))
+        let open = 1.0 - relief.shade;
+        let strength = (0.30 + 0.26 * sky + 0.74 * lambert) * (1.0 - 0.35 * rim * rim) * (0.4 + 0.6 * open);
+        let shine = 0.20 * normal.dot((SUN + Vec3::Z).normalize_or_zero()).max(0.0).powi(24) * open;
+        (disc.colour * strength + self.gleam * shine).lerp(self.haze, 0.16 * self.camera.recession(disc.depth))
     }
+}
 
-    /// Which way the water's surface leans around a sample, and how much of its light is taken by nearer water.
-    fn relief(&self, disc: &Disc, at: Vec2) -> (Vec3, f32) {
-        let reach = (RING * disc.radius).max(3.0);
-        let metres = reach / self.camera.scale_at(disc.depth);
-        let surface = disc.depth - 0.7 * disc.bulge; // of a sphere as a whole, so that its own roundness leaves no mark
+/// The shape of the water around a particle.
+///
+/// Read once a particle, not once a sample: a sphere half in a shadow would look like two.
+struct Relief {
+    /// Which way the surface faces: right, up and towards the eye.
+    lean: Vec3,
+    /// Share of the light that nearer water takes, 0 to 1.
+    shade: f32,
+}
+
+impl Relief {
+    /// Reads the depths on the rings around a particle. No water there counts as a steep fall, so that the water is
+    /// rounded towards its outline; an edge of the container counts as level.
+    fn new(layer: &Layer, disc: &Disc, camera: &Camera) -> Self {
+        let surface = disc.depth - 0.7 * disc.bulge; // the mean over the disc, as on the rings
         let (mut lean, mut shade) = (Vec2::ZERO, 0.0);
-        for direction in AROUND {
-            let there = at + direction * reach;
-            let sample = self.layer.sample(there.x as isize, there.y as isize);
+        for (direction, radii) in RINGS.into_iter().flat_map(|radii| AROUND.map(|direction| (direction, radii))) {
+            let reach = (radii * disc.radius).max(2.0);
+            let place = disc.at + direction * reach;
+            let sample = layer.sample(place.x as isize, place.y as isize);
+            let metres = reach / camera.scale_at(disc.depth);
             let fall = if sample.disc == Sample::EDGE { 0.0 } else { (sample.depth - surface) / metres };
             lean += direction * fall.clamp(-1.0, 1.0);
             shade += (-fall).clamp(0.0, 1.5);
         }
-        (Vec3::new(lean.x, -lean.y, 4.0).normalize_or_zero(), shade / 12.0)
+        let count = (RINGS.len() * AROUND.len()) as f32;
+        Self { lean: Vec3::new(lean.x, -lean.y, count * 0.5).normalize_or_zero(), shade: shade / (1.5 * count) }
     }
 }

@@ -2,11 +2,11 @@
 //!
 //! Every particle is drawn as a lit sphere. The work is done in three passes, none of which needs a GPU:
 //!
-//! 1. [`camera`] puts the particles into the picture and [`discs`] finds, for every sample, the nearest sphere there;
-//!    [`outline`] adds the edges of the container to the same depth buffer.
-//! 2. [`light`] colours each sample from the sphere it shows and from the depths around it, so that the large shape of
+//! 1. `camera` puts the particles into the picture and `discs` finds, for every sample, the nearest sphere there;
+//!    `tank` adds the edges of the container to the same depth buffer.
+//! 2. `light` colours each sample from the sphere it shows and from the depths around it, so that the large shape of
 //!    the water is seen as well as the single particle, and averages a square of samples into a pixel.
-//! 3. [`text`] writes the caption and the colour bar over the finished [`Canvas`], which saves itself as PNG.
+//! 3. `text` writes the caption and the colour bar over the finished [`Canvas`], which saves itself as PNG.
 //!
 //! The same input gives the same bytes, however many threads share the work: a thread owns whole rows, and within a
 //! row the particles are always met in the same order.
@@ -15,17 +15,16 @@ mod camera;
 mod canvas;
 mod colour;
 mod discs;
-mod floor;
 mod light;
-mod outline;
+mod tank;
 mod text;
 
 use camera::Camera;
 pub use canvas::Canvas;
 use colour::ColourMap;
 use discs::{Disc, Layer};
-use floor::Floor;
 use glam::Vec3;
+use tank::Floor;
 
 /// Samples along one side of a pixel.
 const SUPERSAMPLING: u32 = 2;
@@ -83,7 +82,7 @@ pub fn paint(frame: &Frame, view: &View, bounds: [Vec3; 2], width: u32, height: 
     let mut layer = Layer::new(wide as usize, high as usize);
     layer.draw_discs(&discs);
     if let Some(corners) = container {
-        outline::draw(&mut layer, &camera, corners);
+        tank::outline(&mut layer, &camera, corners);
     }
     let floor = container.and_then(|corners| Floor::new(&camera, corners, frame));
     let mut canvas = light::expose(&layer, &discs, &camera, floor.as_ref());
@@ -99,10 +98,10 @@ mod tests {
     const BOUNDS: [Vec3; 2] = [Vec3::new(-1.0, 0.0, -1.0), Vec3::new(1.0, 2.0, 1.0)];
 
     fn frame<'a>(positions: &'a [[f32; 4]], shade: &'a [f32]) -> Frame<'a> {
-        Frame { positions, shade, range: [0.0, 1.0], radius: 0.1, container: None, caption: "", legend: "" }
+        Frame { positions, shade, range: [0.0, 1.0], radius: 0.2, container: None, caption: "", legend: "" }
     }
 
-    /// How much lighter the background is than the pixel in the middle of the picture.
+    /// How much darker a pixel is than the background.
     fn darkness(canvas: &Canvas, x: u32, y: u32) -> i32 {
         let sum = |pixel: [u8; 3]| pixel.map(i32::from).iter().sum::<i32>();
         let [corner, here] = [(0, 0), (x, y)].map(|(x, y)| canvas.pixel(x, y).map_or(0, sum));

@@ -1,4 +1,4 @@
-//! The words of a picture: a font of 5 x 7 dots, the caption and the colour bar.
+//! The words of a picture: a font of 5 x 7 dots and tails, the caption and the colour bar.
 
 use super::canvas::Canvas;
 use super::colour::{ColourMap, Encoder};
@@ -7,23 +7,24 @@ use super::colour::{ColourMap, Encoder};
 const INK: [u8; 3] = [0x2b, 0x38, 0x45];
 
 /// From one letter to the next and from one line to the next, dots.
-const ADVANCE: [i32; 2] = [6, 11];
+const ADVANCE: [i32; 2] = [6, 12];
 
-/// The characters from space to tilde. A glyph is five columns from left to right, the lowest bit of each on top.
+/// The characters from space to tilde. A glyph is five columns from left to right, the lowest bit of each on
+/// top; the eighth row is for tails.
 #[rustfmt::skip]
 const GLYPHS: [u64; 95] = [
     0x0000000000, 0x00005f0000, 0x0007000700, 0x147f147f14, 0x242a7f2a12, 0x2313086462, 0x3649552250, 0x0005030000,
-    0x001c224100, 0x0041221c00, 0x14083e0814, 0x08083e0808, 0x0050300000, 0x0808080808, 0x0060600000, 0x2010080402,
+    0x001c224100, 0x0041221c00, 0x14083e0814, 0x08083e0808, 0x00a0600000, 0x0808080808, 0x0060600000, 0x2010080402,
     0x3e5149453e, 0x00427f4000, 0x4261514946, 0x2141454b31, 0x1814127f10, 0x2745454539, 0x3c4a494930, 0x0171090503,
-    0x3649494936, 0x064949291e, 0x0036360000, 0x0056360000, 0x0814224100, 0x1414141414, 0x0041221408, 0x0201510906,
+    0x3649494936, 0x064949291e, 0x0036360000, 0x00ac6c0000, 0x0814224100, 0x1414141414, 0x0041221408, 0x0201510906,
     0x324979413e, 0x7e1111117e, 0x7f49494936, 0x3e41414122, 0x7f4141221c, 0x7f49494941, 0x7f09090901, 0x3e4149497a,
     0x7f0808087f, 0x00417f4100, 0x2040413f01, 0x7f08142241, 0x7f40404040, 0x7f020c027f, 0x7f0408107f, 0x3e4141413e,
     0x7f09090906, 0x3e4151215e, 0x7f09192946, 0x4649494931, 0x01017f0101, 0x3f4040403f, 0x1f2040201f, 0x3f4038403f,
     0x6314081463, 0x0708700807, 0x6151494543, 0x007f414100, 0x0204081020, 0x0041417f00, 0x0402010204, 0x4040404040,
-    0x0001020400, 0x2054545478, 0x7f48444438, 0x3844444420, 0x384444487f, 0x3854545418, 0x087e090102, 0x0c5252523e,
-    0x7f08040478, 0x00447d4000, 0x2040443d00, 0x7f10284400, 0x00417f4000, 0x7c04180478, 0x7c08040478, 0x3844444438,
-    0x7c14141408, 0x081414187c, 0x7c08040408, 0x4854545420, 0x043f444020, 0x3c4040207c, 0x1c2040201c, 0x3c4030403c,
-    0x4428102844, 0x0c5050503c, 0x4464544c44, 0x0008364100, 0x00007f0000, 0x0041360800, 0x1008081008,
+    0x0001020400, 0x2054545478, 0x7f48444438, 0x3844444420, 0x384444487f, 0x3854545418, 0x087e090102, 0x18a4a4a47c,
+    0x7f08040478, 0x00447d4000, 0x4080847d00, 0x7f10284400, 0x00417f4000, 0x7c04180478, 0x7c08040478, 0x3844444438,
+    0xfc24242418, 0x18242424fc, 0x7c08040408, 0x4854545420, 0x043f444020, 0x3c4040207c, 0x1c2040201c, 0x3c4030403c,
+    0x4428102844, 0x1ca0a0a07c, 0x4464544c44, 0x0008364100, 0x00007f0000, 0x0041360800, 0x1008081008,
 ];
 
 /// Pixels to a dot of the font, in a picture of this height.
@@ -85,7 +86,7 @@ fn write(canvas: &mut Canvas, [x, y]: [i32; 2], dot: i32, text: &str) {
     for (character, place) in text.chars().zip(0..1000) {
         let glyph = glyph(character);
         let left = x + place * ADVANCE[0] * dot;
-        for (column, row) in (0..5).flat_map(|column| (0..7).map(move |row| (column, row))) {
+        for (column, row) in (0..5).flat_map(|column| (0..8).map(move |row| (column, row))) {
             if glyph >> ((4 - column) * 8 + row) & 1 == 1 {
                 canvas.fill([left + column * dot, y + row * dot], [dot, dot], INK);
             }
@@ -96,10 +97,10 @@ fn write(canvas: &mut Canvas, [x, y]: [i32; 2], dot: i32, text: &str) {
 /// The dots of a character; a question mark for one that the font does not have.
 fn glyph(character: char) -> u64 {
     match character {
-        '²' => 0x0019_1512_00,
-        '³' => 0x0011_151f_00,
-        '°' => 0x0006_0906_00,
-        '·' => 0x0000_0800_00,
+        '²' => 0x0019151200,
+        '³' => 0x0011151f00,
+        '°' => 0x0006090600,
+        '·' => 0x0000080000,
         _ => {
             let index = (character as usize).wrapping_sub(' ' as usize);
             GLYPHS.get(index).copied().unwrap_or(GLYPHS['?' as usize - ' ' as usize])

@@ -1,14 +1,45 @@
-//! The floor of the container, with the soft shadow that the water throws straight down on it.
+//! The container: its edges, drawn with depth so that water stands in front of the back ones, and its floor, with the
+//! soft shadow that the water throws straight down on it.
 
 use super::Frame;
-use super::camera::Camera;
+use super::camera::{Camera, corner};
+use super::discs::Layer;
 use glam::{Vec2, Vec3};
+
+/// Width of an edge, as a share of the picture's height.
+const WIDTH: f32 = 0.0028;
+
+/// Most dots to an edge: enough to cross the largest picture without gaps.
+const MOST_DOTS: f32 = 40_000.0;
 
 /// Cells along each side of the shadow.
 const CELLS: usize = 96;
 
 /// Passes of the blur that softens the shadow.
-const BLURS: usize = 3;
+const BLURS: usize = 6;
+
+/// Draws the twelve edges of the box between two corners.
+pub(super) fn outline(layer: &mut Layer, camera: &Camera, corners: [Vec3; 2]) {
+    for from in 0..8 {
+        for to in [1, 2, 4].map(|axis| from | axis).into_iter().filter(|&to| to != from) {
+            edge(layer, camera, corner(corners, from), corner(corners, to));
+        }
+    }
+}
+
+/// Draws one edge as a row of dots, each put into the picture by itself: slower than stepping along the drawn line,
+/// and right in every view without a word about perspective.
+fn edge(layer: &mut Layer, camera: &Camera, a: Vec3, b: Vec3) {
+    // A whole number of samples: any other width would come and go along a slanting edge.
+    let half = 0.5 * (WIDTH * layer.height() as f32).round().max(2.0);
+    let scale = [a, b].into_iter().filter_map(|end| camera.spot(end)).map(|spot| spot.scale).fold(0.0, f32::max);
+    let dots = (a.distance(b) * scale).clamp(1.0, MOST_DOTS).ceil();
+    for i in 0..=dots as u32 {
+        if let Some(spot) = camera.spot(a.lerp(b, i as f32 / dots)) {
+            layer.draw_dot(spot.at, half, spot.depth);
+        }
+    }
+}
 
 /// The floor, and how much of the sky each part of it sees.
 pub(super) struct Floor {
@@ -44,11 +75,7 @@ impl Floor {
     pub(super) fn shadow(&self, camera: &Camera, at: Vec2) -> Option<f32> {
         let (eye, sight) = camera.sight(at)?;
         let reach = (self.low.y - eye.y) / sight.y;
-        let point = eye + sight * reach;
-        if !(reach > 0.0) {
-            return None;
-        }
-        let cell = self.cell(point)?;
+        let cell = (reach > 0.0).then(|| self.cell(eye + sight * reach))??;
         self.shadow.get(cell).copied()
     }
 

@@ -1,0 +1,149 @@
+//! The arrays on the device: core's bytes, in two states that trade places.
+use crate::bindings::Array;
+use crate::device::Gpu;
+use crate::error::GpuError;
+use bytemuck::{Pod, Zeroable, cast_slice};
+use millpond_core::Solver;
+use millpond_core::layout::{Parameters, Status, f32x4};
+
+/// One of the two states.
+#[derive(Debug)]
+pub(crate) struct StateBuffers {
+    pub position: wgpu::Buffer,
+    pub velocity: wgpu::Buffer,
+    pub acceleration: wgpu::Buffer,
+    pub density_pressure: wgpu::Buffer,
+    pub id: wgpu::Buffer,
+}
+
+/// All of them.
+#[derive(Debug)]
+pub(crate) struct Buffers {
+    pub parameters: wgpu::Buffer,
+    pub head: wgpu::Buffer,
+    pub states: [StateBuffers; 2],
+    cell: wgpu::Buffer,
+    rank: wgpu::Buffer,
+    begin: wgpu::Buffer,
+    order: wgpu::Buffer,
+    grid_cells: wgpu::Buffer,
+}
+
+/// Makes buffers; an empty array gets one entry, since a binding cannot be empty.
+struct Maker<'g> {
+    gpu: &'g Gpu,
+    usage: wgpu::BufferUsages,
+}
+
+impl Maker<'_> {
+    fn room(&self, array: &'static str, bytes: usize) -> Result<wgpu::Buffer, GpuError> {
+        let bytes = bytes.max(size_of::<f32x4>()) as u64;
+        let limit = self.gpu.device.limits().max_storage_buffer_binding_size;
+        if bytes > limit {
+            return Err(GpuError::TooLarge { array, bytes, limit });
+        }
+        let usage = self.usage | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC;
+        let descriptor = wgpu::BufferDescriptor { label: Some(array), size: bytes, usage, mapped_at_creation: false };
+        Ok(self.gpu.device.create_buffer(&descriptor))
+    }
+
+    fn filled<T: Pod>(&self, array: &'static str, content: &[T]) -> Result<wgpu::Buffer, GpuError> {
+        let buffer = self.room(array, size_of_val(content))?;
+        self.gpu.queue.write_buffer(&buffer, 0, cast_slice(content));
+        Ok(buffer)
+    }
+}
+
+impl Buffers {
+    /// With the current state of `solver` in state 0.
+    pub(crate) fn of(gpu: &Gpu, solver: &Solver<'_>) -> Result<Buffers, GpuError> {
+        let storage = Maker { gpu, usage: wgpu::BufferUsages::STORAGE };
+        let uniform = Maker { gpu, usage: wgpu::BufferUsages::UNIFORM };
+        let state = solver.state();
+        let parameters: &Parameters = solver.parameters();
+        let (n, cells) = (state.id.len(), parameters.cells[3] as usize);
+        let places = cells * solver.plan().model.cell_places as usize;
+        let words = |count: usize| count * size_of::<u32>();
+        let vectors = n * size_of::<f32x4>();
+        let head = storage.room("head", size_of::<Status>() + words(cells))?;
+        gpu.queue.write_buffer(&head, 0, bytemuck::bytes_of(&Status::fine(solver.steps() as u32)));
+        Ok(Buffers {
+            parameters: uniform.filled("parameters", &[*parameters])?,
+            head,
+            states: [
+                StateBuffers {
+                    position: storage.filled("position", state.position)?,
+                    velocity: storage.filled("velocity", state.velocity)?,
+                    acceleration: storage.filled("acceleration", state.acceleration)?,
+                    density_pressure: storage.filled("density_pressure", state.density_pressure)?,
+                    id: storage.filled("id", state.id)?,
+                },
+                StateBuffers {
+                    position: storage.room("position", vectors)?,
+                    velocity: storage.room("velocity", vectors)?,
+                    acceleration: storage.room("acceleration", vectors)?,
+                    density_pressure: storage.room("density_pressure", vectors)?,
+                    id: storage.room("id", words(n))?,
+                },
+            ],
+            cell: storage.room("cell", words(n))?,
+            rank: storage.room("rank", words(n))?,
+            begin: storage.room("begin", words(cells))?,
+            order: storage.room("order", words(n))?,
+            grid_cells: storage.room("grid_cells", words(places))?,
+        })
+    }
+
+    /// The buffer of an array when state `old` is the old one. What a gather moves is its caller's to say.
+    pub(crate) fn array(&self, array: Array, old: usize, gather: [Array; 2]) -> &wgpu::Buffer {
+        let (from, to) = (&self.states[old], &self.states[1 - old]);
+        match array {
+            Array::Head => &self.head,
+            Array::OldPosition => &from.position,
+            Array::OldVelocity => &from.velocity,
+            Array::OldAcceleration => &from.acceleration,
+            Array::OldId => &from.id,
+            Array::NewPosition => &to.position,
+            Array::NewVelocity => &to.velocity,
+            Array::NewAcceleration => &to.acceleration,
+            Array::NewDensityPressure => &to.density_pressure,
+            Array::NewId => &to.id,
+            Array::Cell => &self.cell,
+            Array::Rank => &self.rank,
+            Array::Begin => &self.begin,
+            Array::Order => &self.order,
+            Array::GridCells => &self.grid_cells,
+            Array::GatherFrom => self.array(gather[0], old, gather),
+            Array::GatherTo => self.array(gather[1], old, gather),
+        }
+    }
+}
+
+/// Reads the first `count` entries of a buffer back.
+pub(crate) fn read<T: Pod + Zeroable>(gpu: &Gpu, buffer: &wgpu::Buffer, count: usize) -> Result<Vec<T>, GpuError> {
+    let bytes = (count * size_of::<T>()) as u64;
+    if bytes == 0 {
+        return Ok(Vec::new());
+    }
+    let staging = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("staging"),
+        size: bytes,
+        usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    });
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    encoder.copy_buffer_to_buffer(buffer, 0, &staging, 0, bytes);
+    gpu.queue.submit([encoder.finish()]);
+    let (tell, told) = std::sync::mpsc::channel();
+    staging.map_async(wgpu::MapMode::Read, .., move |result| {
+        // nobody listens any more only if polling failed, which is reported below
+        let _ = tell.send(result);
+    });
+    let failed = |e: &dyn std::fmt::Display| GpuError::Device(e.to_string());
+    gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| failed(&e))?;
+    told.recv().map_err(|e| failed(&e))?.map_err(|e| failed(&e))?;
+    let view = staging.get_mapped_range(..).map_err(|e| failed(&e))?;
+    let mut out = vec![T::zeroed(); count];
+    bytemuck::cast_slice_mut(&mut out).copy_from_slice(&view);
+    Ok(out)
+}

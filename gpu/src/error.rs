@@ -1,0 +1,49 @@
+//! Every way in which the GPU backend can refuse.
+use millpond_core::StepError;
+
+/// Why there is no device, no pipeline or no step.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum GpuError {
+    /// No adapter at all, or none of that name.
+    #[error("no GPU adapter{}", .wanted.as_ref().map(|w| format!(" whose name contains {w:?}")).unwrap_or_default())]
+    NoAdapter {
+        /// Part of the name that was asked for.
+        wanted: Option<String>,
+    },
+    /// The adapter gave no device.
+    #[error("adapter {adapter} gives no device: {reason}")]
+    NoDevice {
+        /// Its name.
+        adapter: String,
+        /// What wgpu says.
+        reason: String,
+    },
+    /// Strict mode needs SPIR-V passed through to the driver, which this adapter does not offer.
+    #[error("strict mode needs Vulkan with pass-through shaders; adapter {adapter} ({backend}) has none")]
+    NoStrictMode {
+        /// Its name.
+        adapter: String,
+        /// Vulkan, Metal ...
+        backend: String,
+    },
+    /// A shader was refused: a defect of this crate.
+    #[error("shader refused: {0}")]
+    Shader(String),
+    /// An array is larger than the device takes.
+    #[error("{array} needs {bytes} bytes, and the device takes {limit}")]
+    TooLarge {
+        /// Which array.
+        array: &'static str,
+        /// Its size.
+        bytes: u64,
+        /// The device's limit.
+        limit: u64,
+    },
+    /// The device stopped answering.
+    #[error("the device failed: {0}")]
+    Device(String),
+    /// A step could not be made; the fluid is as it was before it.
+    #[error(transparent)]
+    Step(#[from] StepError),
+}

@@ -1,0 +1,107 @@
+//! A step as commands: for each pass of the plan a pipeline, its bind groups for both directions, its work groups.
+use crate::bindings::{Access, Array, Threads, arrays, threads, workgroup};
+use crate::buffers::Buffers;
+use crate::device::Gpu;
+use crate::error::GpuError;
+use crate::program::program;
+use millpond_core::{Pass, Plan};
+
+/// Most work groups along one dimension of a dispatch (WebGPU's default limit).
+const MOST_GROUPS: u32 = 65_535;
+
+/// What one pass does each step.
+#[derive(Debug)]
+pub(crate) struct Command {
+    pass: Pass,
+    pipeline: wgpu::ComputePipeline,
+    /// With state 0, and with state 1, as the old one.
+    groups: [wgpu::BindGroup; 2],
+    size: [u32; 2],
+}
+
+/// What the gather pass moves: from where the moved particles wait to where they belong.
+const GATHERED: [[Array; 2]; 2] =
+    [[Array::NewDensityPressure, Array::NewPosition], [Array::NewAcceleration, Array::NewVelocity]];
+
+/// The commands of a step.
+pub(crate) fn commands(gpu: &Gpu, plan: &Plan, buffers: &Buffers, counts: [u32; 2]) -> Result<Vec<Command>, GpuError> {
+    let mut commands = Vec::new();
+    for pass in plan.passes() {
+        let (layout, pipeline) = pipeline(gpu, pass, plan)?;
+        let moved = if pass == Pass::Gather { &GATHERED[..] } else { &GATHERED[..1] };
+        for &gather in moved {
+            let groups = [0, 1].map(|old| bind(gpu, pass, &layout, buffers, old, gather));
+            commands.push(Command { pass, pipeline: pipeline.clone(), groups, size: size(pass, counts) });
+        }
+    }
+    Ok(commands)
+}
+
+/// Records one step from state `old`.
+pub(crate) fn record(commands: &[Command], encoder: &mut wgpu::CommandEncoder, old: usize) {
+    for command in commands {
+        let label = Some(command.pass.name());
+        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label, timestamp_writes: None });
+        pass.set_pipeline(&command.pipeline);
+        pass.set_bind_group(0, &command.groups[old], &[]);
+        pass.dispatch_workgroups(command.size[0], command.size[1], 1);
+    }
+}
+
+/// Work groups of a pass, in rows.
+fn size(pass: Pass, [particles, cells]: [u32; 2]) -> [u32; 2] {
+    let groups = match threads(pass) {
+        Threads::Particles => particles.div_ceil(workgroup(pass)),
+        Threads::Cells => cells.div_ceil(workgroup(pass)),
+        Threads::OneGroup => 1,
+    };
+    let rows = groups.div_ceil(MOST_GROUPS).max(1);
+    [groups.div_ceil(rows), rows]
+}
+
+fn pipeline(gpu: &Gpu, pass: Pass, plan: &Plan) -> Result<(wgpu::BindGroupLayout, wgpu::ComputePipeline), GpuError> {
+    let label = Some(pass.name());
+    let module = gpu.module(pass.name(), &program(pass, &plan.model), workgroup(pass))?;
+    let entry = |binding: usize, ty| wgpu::BindGroupLayoutEntry {
+        binding: binding as u32,
+        visibility: wgpu::ShaderStages::COMPUTE,
+        ty: wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None },
+        count: None,
+    };
+    let mut entries = vec![entry(0, wgpu::BufferBindingType::Uniform)];
+    for (i, (_, access)) in arrays(pass).iter().enumerate() {
+        entries.push(entry(i + 1, wgpu::BufferBindingType::Storage { read_only: *access == Access::Read }));
+    }
+    let layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label, entries: &entries });
+    let pipeline_layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label,
+        bind_group_layouts: &[Some(&layout)],
+        immediate_size: 0,
+    });
+    let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label,
+        layout: Some(&pipeline_layout),
+        module: &module,
+        entry_point: Some("main"),
+        compilation_options: wgpu::PipelineCompilationOptions::default(),
+        cache: None,
+    });
+    Ok((layout, pipeline))
+}
+
+fn bind(
+    gpu: &Gpu,
+    pass: Pass,
+    layout: &wgpu::BindGroupLayout,
+    buffers: &Buffers,
+    old: usize,
+    gather: [Array; 2],
+) -> wgpu::BindGroup {
+    let mut entries = vec![wgpu::BindGroupEntry { binding: 0, resource: buffers.parameters.as_entire_binding() }];
+    for (i, (array, _)) in arrays(pass).iter().enumerate() {
+        let resource = buffers.array(*array, old, gather).as_entire_binding();
+        entries.push(wgpu::BindGroupEntry { binding: i as u32 + 1, resource });
+    }
+    let label = Some(pass.name());
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label, layout, entries: &entries })
+}

@@ -1,0 +1,56 @@
+//! The complete WGSL of a pass: prelude, layout, choices, terms, arrays, loop, entry point.
+use crate::bindings::{declarations, workgroup};
+use crate::text::wgsl_of;
+use millpond_core::Pass;
+use millpond_core::layout::{Model, PLANES, Parameters};
+use millpond_core::terms::TEXTS;
+
+/// The loop of a pass, as written.
+#[must_use]
+pub fn loop_text(pass: Pass) -> &'static str {
+    match pass {
+        Pass::IntegrateBefore => include_str!("shaders/p01_integrate_before.wgsl"),
+        Pass::Count => include_str!("shaders/p02_count.wgsl"),
+        Pass::CellLists => include_str!("shaders/p03_cell_lists.wgsl"),
+        Pass::Scan => include_str!("shaders/p04_scan.wgsl"),
+        Pass::Place => include_str!("shaders/p05_place.wgsl"),
+        Pass::Order => include_str!("shaders/p06_order.wgsl"),
+        Pass::Gather => include_str!("shaders/p07_gather.wgsl"),
+        Pass::Density => include_str!("shaders/p08_density.wgsl"),
+        Pass::Force => include_str!("shaders/p09_force.wgsl"),
+        Pass::IntegrateAfter => include_str!("shaders/p10_integrate_after.wgsl"),
+        Pass::Commit => include_str!("shaders/p11_commit.wgsl"),
+    }
+}
+
+/// The vocabulary and all terms, without a pass: what a test of a single term needs.
+#[must_use]
+pub fn library(model: &Model) -> String {
+    let mut out = include_str!("shaders/prelude.wgsl").to_owned();
+    out += &format!("alias Planes = array<f32x4, {PLANES}>;\n");
+    out += Parameters::WGSL;
+    out += "@group(0) @binding(0) var<uniform> p: Parameters;\n";
+    // the choices are constants, so that what is not chosen is compiled away
+    out += Model::WGSL;
+    let choices: Vec<String> = bytemuck::cast_slice::<_, u32>(&[*model]).iter().map(|c| format!("{c}u")).collect();
+    out += &format!("const m = Model({});\n", choices.join(", "));
+    for (_, text) in TEXTS {
+        out += &wgsl_of(text);
+    }
+    out
+}
+
+/// The program of a pass, its entry point named `main`.
+#[must_use]
+pub fn program(pass: Pass, model: &Model) -> String {
+    let mut out = library(model);
+    out += include_str!("shaders/grid.wgsl");
+    out += &format!("const WORKGROUP: u32 = {}u;\n", workgroup(pass));
+    out += &declarations(pass);
+    out += loop_text(pass);
+    // one row of groups holds fewer threads than a large scene has particles, so there may be several rows
+    out += "@compute @workgroup_size(WORKGROUP) fn main(\n  \
+            @builtin(global_invocation_id) thread: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {\n  \
+            pass_body(thread.x + thread.y * groups.x * WORKGROUP);\n}\n";
+    out
+}

@@ -1,0 +1,5 @@
+// The moved particles into their slots; runs once for each array.
+fn pass_body(a: u32) {
+  if a >= p.particle_count || head.status.failed != 0u { return; }
+  gather_to[a] = gather_from[order[a]];
+}

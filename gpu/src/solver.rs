@@ -1,0 +1,147 @@
+//! The GPU's public face: a fluid on the device, stepped without reading anything back.
+use crate::buffers::{Buffers, read};
+use crate::device::Gpu;
+use crate::error::GpuError;
+use crate::pipelines::{Command, commands, record};
+use millpond_core::hash::state_hash;
+use millpond_core::layout::{Status, f32x4};
+use millpond_core::{Solver, verdict};
+
+/// Steps that are recorded before the status is read: a failed step is found at most this late, and costs nothing more.
+pub const STEPS_PER_STATUS: u32 = 64;
+
+/// A fluid on a device.
+#[derive(Debug)]
+pub struct GpuSolver {
+    gpu: Gpu,
+    buffers: Buffers,
+    commands: Vec<Command>,
+    particles: usize,
+    cell_places: u32,
+    first_step: u64,
+    /// Steps that count.
+    steps: u64,
+}
+
+/// A state that was read back, in the slots of the device.
+#[derive(Clone, Debug, Default)]
+pub struct Readback {
+    /// Position, m.
+    pub position: Vec<f32x4>,
+    /// Velocity, m/s.
+    pub velocity: Vec<f32x4>,
+    /// Acceleration, m/s2.
+    pub acceleration: Vec<f32x4>,
+    /// [`QUANTITIES`](millpond_core::layout::QUANTITIES) of each particle.
+    pub density_pressure: Vec<f32x4>,
+    /// Which particle stands in a slot.
+    pub id: Vec<u32>,
+}
+
+impl Readback {
+    /// Slot of each particle, by id.
+    #[must_use]
+    pub fn slots(&self) -> Vec<u32> {
+        let mut slots = vec![0; self.id.len()];
+        for (slot, &id) in self.id.iter().enumerate() {
+            if let Some(place) = slots.get_mut(id as usize) {
+                *place = slot as u32;
+            }
+        }
+        slots
+    }
+
+    /// The state hash, as core computes it.
+    #[must_use]
+    pub fn hash(&self) -> u64 {
+        state_hash(&self.slots(), &self.position, &self.velocity)
+    }
+}
+
+impl GpuSolver {
+    /// The fluid of a CPU solver, from its current state on, by the same plan.
+    ///
+    /// # Errors
+    /// A scene too large for the device, or a shader refused.
+    pub fn new(gpu: &Gpu, solver: &Solver<'_>) -> Result<GpuSolver, GpuError> {
+        let buffers = Buffers::of(gpu, solver)?;
+        let parameters = solver.parameters();
+        let plan = solver.plan();
+        let commands = commands(gpu, plan, &buffers, [parameters.particle_count, parameters.cells[3]])?;
+        Ok(GpuSolver {
+            gpu: gpu.clone(),
+            buffers,
+            commands,
+            particles: parameters.particle_count as usize,
+            cell_places: plan.model.cell_places,
+            first_step: solver.steps(),
+            steps: solver.steps(),
+        })
+    }
+
+    /// Makes `count` time steps; reads back nothing but the status, and that every [`STEPS_PER_STATUS`] steps.
+    ///
+    /// # Errors
+    /// A step that could not be made; the fluid then is as it was before that step.
+    pub fn step(&mut self, count: u32) -> Result<(), GpuError> {
+        let mut left = count;
+        while left > 0 {
+            let now = left.min(STEPS_PER_STATUS);
+            let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+            for attempt in 0..now {
+                let old = (self.current() + attempt as usize) % 2;
+                encoder.clear_buffer(&self.buffers.head, size_of::<Status>() as u64, None);
+                record(&self.commands, &mut encoder, old);
+            }
+            self.gpu.queue.submit([encoder.finish()]);
+            let status = self.status()?;
+            self.steps = u64::from(status.steps);
+            if status.failed != 0 {
+                return Err(verdict(&status, self.cell_places).err().map_or_else(lost, GpuError::Step));
+            }
+            left -= now;
+        }
+        Ok(())
+    }
+
+    /// Which state is the fluid: they trade places at each step that counts.
+    fn current(&self) -> usize {
+        (self.steps - self.first_step) as usize % 2
+    }
+
+    /// What the device has to say for itself.
+    ///
+    /// # Errors
+    /// The device failed.
+    pub fn status(&self) -> Result<Status, GpuError> {
+        let status: Vec<Status> = read(&self.gpu, &self.buffers.head, 1)?;
+        status.first().copied().ok_or_else(lost)
+    }
+
+    /// Reads the fluid back.
+    ///
+    /// # Errors
+    /// The device failed.
+    pub fn read(&self) -> Result<Readback, GpuError> {
+        let state = &self.buffers.states[self.current()];
+        let (gpu, n) = (&self.gpu, self.particles);
+        Ok(Readback {
+            position: read(gpu, &state.position, n)?,
+            velocity: read(gpu, &state.velocity, n)?,
+            acceleration: read(gpu, &state.acceleration, n)?,
+            density_pressure: read(gpu, &state.density_pressure, n)?,
+            id: read(gpu, &state.id, n)?,
+        })
+    }
+
+    /// Steps that count.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+}
+
+/// A status that contradicts itself.
+fn lost() -> GpuError {
+    GpuError::Device("the status says that a step failed, and not why".into())
+}

@@ -1,0 +1,74 @@
+//! From the terms' Rust text to WGSL: drop what only Rust needs, mark the literals.
+
+/// The WGSL of a term's text.
+///
+/// Drops comments, `use` and attribute lines, `pub `, `<R: Real>` and the `<R>` of structs, and the arguments `m` and `p`,
+/// which are global in WGSL.
+#[must_use]
+pub fn wgsl_of(rust: &str) -> String {
+    let mut out = String::new();
+    for line in rust.lines() {
+        let code = line.split("//").next().unwrap_or("").trim_end();
+        let start = code.trim_start();
+        if start.is_empty() || start.starts_with("use ") || start.starts_with("#[") {
+            continue;
+        }
+        if matches!(start, "m: &Model," | "p: &Parameters," | "m," | "p,") {
+            continue;
+        }
+        let mut code = code.replacen("pub ", "", 1);
+        for (rust, wgsl) in [
+            ("<R: Real>", ""),
+            ("m: &Model, ", ""),
+            ("p: &Parameters, ", ""),
+            ("(m, p, ", "("),
+            ("(m, ", "("),
+            ("(p, ", "("),
+            ("Local<R>", "Local"),
+        ] {
+            code = code.replace(rust, wgsl);
+        }
+        out += &mark_literals(&code);
+        out.push('\n');
+    }
+    out
+}
+
+/// `0.1` to `0.1f`. Without it WGSL folds `0.1 * 0.7 * 0.3` in f64, Rust in f32, and no strict mode helps.
+fn mark_literals(code: &str) -> String {
+    let mut out = String::new();
+    let mut rest = code;
+    while let Some(first) = rest.chars().next() {
+        let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        let mut end = first.len_utf8();
+        if is_word(first) {
+            // a name, or a number with its fraction and exponent
+            let number = first.is_ascii_digit();
+            end = rest.find(|c: char| !(is_word(c) || number && c == '.')).unwrap_or(rest.len());
+            if number && rest[..end].ends_with('e') && rest[end..].starts_with(['-', '+']) {
+                let tail = &rest[end + 1..];
+                end += 1 + tail.find(|c: char| !c.is_ascii_digit()).unwrap_or(tail.len());
+            }
+        }
+        let (token, after) = rest.split_at(end);
+        out += token;
+        if first.is_ascii_digit() && token.contains(['.', 'e']) {
+            out.push('f');
+        }
+        rest = after;
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rust_becomes_wgsl() {
+        let rust = "/// Doc.\n#[inline(always)]\npub fn f<R: Real>(m: &Model, p: &Parameters, a: Local<R>) -> R { // why\n    \
+                    return g(m, p, a) * 1.5e-3 + h(p, a.q2) * 2.0;\n}\n";
+        let wgsl = "fn f(a: Local) -> R {\n    return g(a) * 1.5e-3f + h(a.q2) * 2.0f;\n}\n";
+        assert_eq!(wgsl_of(rust), wgsl);
+    }
+}

@@ -1,0 +1,244 @@
+//! `bench`: how long a step takes, pass by pass.
+use crate::census::{FirstLast, census};
+use crate::cli::{BackendName, Common};
+use crate::failure::Failure;
+use crate::fluid::{Snapshot, start};
+use crate::memory::Heap;
+use crate::output::{print_json, progress};
+use crate::pool::Pool;
+use crate::scenes::{Changes, Named, load};
+use crate::timing::{Milliseconds, timed};
+use millpond_core::{Executor, Needs, Pass, Simd, Solver};
+use millpond_gpu::{Gpu, GpuSolver, Mode};
+use serde::Serialize;
+use std::time::Instant;
+
+/// Options of `bench`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Options {
+    #[command(flatten)]
+    common: Common,
+    /// Steps to time
+    #[arg(long, default_value_t = 50, value_name = "N")]
+    steps: u32,
+    /// Steps to make before
+    #[arg(long, default_value_t = 0, value_name = "N")]
+    warm_up: u32,
+    /// Where it runs
+    #[arg(long, value_enum, default_value = "cpu")]
+    backend: BackendName,
+    /// How the CPU computes (default: the best it can)
+    #[arg(long, value_enum)]
+    simd: Option<SimdName>,
+    /// Time the scene at 4096, 32768 and 262144 particles and fit how the time grows with their number
+    #[arg(long, conflicts_with = "particles")]
+    scaling: bool,
+}
+
+/// A level of the CPU.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum SimdName {
+    /// One particle at a time.
+    Scalar,
+    /// Lanes in the target's base instructions.
+    Base,
+    /// Lanes in AVX2.
+    Avx2,
+}
+
+/// Result of `bench`.
+#[derive(Clone, Debug, Serialize)]
+pub struct Bench {
+    /// The scene.
+    pub scene: String,
+    /// Particles.
+    pub particles: usize,
+    /// Threads that worked.
+    pub threads: usize,
+    /// Level of the CPU, or the device.
+    pub simd: String,
+    /// Time of a step.
+    pub ms_per_step: Milliseconds,
+    /// Shortest time of each pass; empty on a GPU, which is not asked.
+    pub passes: Vec<PassTime>,
+    /// Shortest step over the particles, ns.
+    pub ns_per_particle_step: f64,
+    /// Memory of the solver over the particles.
+    pub bytes_per_particle: f64,
+    /// Neighbours of a particle, itself counted.
+    pub average_neighbours: FirstLast,
+    /// Simulated time over the time it took, by the shortest step.
+    pub real_time_factor: f64,
+    /// With `--scaling`: the sizes timed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scaling: Option<Scaling>,
+}
+
+/// Time of a pass.
+#[derive(Clone, Debug, Serialize)]
+pub struct PassTime {
+    /// Which.
+    pub name: &'static str,
+    /// Shortest, ms.
+    pub ms: f64,
+}
+
+/// How time grows with the number of particles.
+#[derive(Clone, Debug, Serialize)]
+pub struct Scaling {
+    /// Particles and shortest step, ms.
+    pub sizes: Vec<(usize, f64)>,
+    /// Exponent of the power law between the smallest and the largest.
+    pub exponent: f64,
+}
+
+/// Sizes of `--scaling`.
+const SCALING_SIZES: [u64; 3] = [4096, 32_768, 262_144];
+
+/// Runs `bench`.
+///
+/// # Errors
+/// A scene that cannot run, a step that cannot be made.
+pub fn execute(options: &Options) -> Result<bool, Failure> {
+    let result = if options.scaling {
+        let mut benches = Vec::new();
+        for particles in SCALING_SIZES {
+            let changes = Changes { particles: Some(particles), ..options.common.changes.clone() };
+            benches.push(bench(&load(&options.common.scene, &changes)?, options)?);
+        }
+        let sizes: Vec<(usize, f64)> = benches.iter().map(|b| (b.particles, b.ms_per_step.min)).collect();
+        let [(n0, t0), .., (n1, t1)] = sizes[..] else { return Err(Failure::Call("nothing to scale".into())) };
+        let exponent = (t1 / t0).ln() / (n1 as f64 / n0 as f64).ln();
+        let last = benches.pop().ok_or_else(|| Failure::Call("nothing to scale".into()))?;
+        Bench { scaling: Some(Scaling { sizes, exponent }), ..last }
+    } else {
+        bench(&load(&options.common.scene, &options.common.changes)?, options)?
+    };
+    if options.common.json {
+        print_json(&result)?;
+    } else {
+        print!("{}", table(&result));
+    }
+    Ok(true)
+}
+
+/// Times one scene.
+fn bench(named: &Named, options: &Options) -> Result<Bench, Failure> {
+    let scene = &named.file.scene;
+    let pool = Pool::new(options.common.threads)?;
+    let mut heap = Heap::of(scene);
+    let mut solver = start(&named.name, scene, &mut heap)?;
+    if let Some(simd) = options.simd {
+        solver = solver.at_level(match simd {
+            SimdName::Scalar => Simd::Scalar,
+            SimdName::Base => Simd::Base,
+            SimdName::Avx2 => Simd::Avx2,
+        });
+    }
+    let bar = progress(&format!("bench {}", named.name), u64::from(options.warm_up + options.steps));
+    let timed = match options.backend {
+        BackendName::Cpu => time_cpu(&mut solver, &pool, options, &bar)?,
+        BackendName::Gpu => time_gpu(&solver, options, &bar)?,
+    };
+    bar.finish_and_clear();
+    let needs = Needs::of(scene);
+    let ms_per_step = Milliseconds::of(&timed.steps);
+    let [first, last] = [&timed.first, &timed.last].map(|state| census(scene, state).map(|c| c.average_neighbours));
+    Ok(Bench {
+        scene: named.name.clone(),
+        particles: needs.particles,
+        threads: pool.width(),
+        simd: timed.path,
+        ms_per_step,
+        passes: timed.passes,
+        ns_per_particle_step: ms_per_step.min * 1e6 / needs.particles.max(1) as f64,
+        bytes_per_particle: needs.bytes() as f64 / needs.particles.max(1) as f64,
+        average_neighbours: FirstLast { first: first?, last: last? },
+        real_time_factor: f64::from(scene.time_step) * 1e3 / ms_per_step.min,
+        scaling: None,
+    })
+}
+
+/// What was timed.
+struct Timed {
+    path: String,
+    steps: Vec<f64>,
+    passes: Vec<PassTime>,
+    first: Snapshot,
+    last: Snapshot,
+}
+
+fn time_cpu(
+    solver: &mut Solver<'_>,
+    pool: &Pool,
+    options: &Options,
+    bar: &indicatif::ProgressBar,
+) -> Result<Timed, Failure> {
+    for _ in 0..options.warm_up {
+        solver.step(pool)?;
+        bar.inc(1);
+    }
+    let first = Snapshot::of_cpu(solver);
+    let mut steps = Vec::new();
+    let mut shortest = [f64::INFINITY; Pass::ALL.len()];
+    for _ in 0..options.steps {
+        let mut marks: Vec<(Pass, Instant)> = Vec::with_capacity(Pass::ALL.len());
+        let (result, ms) = timed(|| solver.step_observed(pool, &mut |pass| marks.push((pass, Instant::now()))));
+        let end = Instant::now();
+        result?;
+        steps.push(ms);
+        let ends = marks.iter().skip(1).map(|(_, begin)| *begin).chain([end]);
+        for ((pass, begin), end) in marks.iter().zip(ends) {
+            let best = &mut shortest[*pass as usize];
+            *best = best.min((end - *begin).as_secs_f64() * 1e3);
+        }
+        bar.inc(1);
+    }
+    let ran = Pass::ALL.into_iter().zip(shortest).filter(|(_, ms)| ms.is_finite());
+    Ok(Timed {
+        path: format!("{:?}", solver.simd()).to_lowercase(),
+        steps,
+        passes: ran.map(|(pass, ms)| PassTime { name: pass.name(), ms }).collect(),
+        first,
+        last: Snapshot::of_cpu(solver),
+    })
+}
+
+fn time_gpu(solver: &Solver<'_>, options: &Options, bar: &indicatif::ProgressBar) -> Result<Timed, Failure> {
+    let gpu = Gpu::open(None, Mode::Strict)?;
+    let mut solver = GpuSolver::new(&gpu, solver)?;
+    // the first step makes the driver compile
+    solver.step(options.warm_up.max(1))?;
+    bar.inc(u64::from(options.warm_up));
+    let first = Snapshot::of_gpu(&solver)?;
+    let mut steps = Vec::new();
+    for _ in 0..options.steps {
+        let (result, ms) = timed(|| solver.step(1));
+        result?;
+        steps.push(ms);
+        bar.inc(1);
+    }
+    Ok(Timed { path: gpu.name(), steps, passes: Vec::new(), first, last: Snapshot::of_gpu(&solver)? })
+}
+
+/// The times in words.
+fn table(b: &Bench) -> String {
+    let mut out = format!("{}: {} particles, {} threads, {}\n", b.scene, b.particles, b.threads, b.simd);
+    out += &format!("  {:8.3} ms a step at least, {:.3} median\n", b.ms_per_step.min, b.ms_per_step.median);
+    for pass in &b.passes {
+        out += &format!("  {:8.3} ms {}\n", pass.ms, pass.name);
+    }
+    out += &format!(
+        "  {:8.1} ns a particle and step, {:.0} bytes a particle\n",
+        b.ns_per_particle_step, b.bytes_per_particle
+    );
+    out += &format!("  {:8.2} neighbours first, {:.2} last\n", b.average_neighbours.first, b.average_neighbours.last);
+    out += &format!("  {:8.3} of real time\n", b.real_time_factor);
+    if let Some(scaling) = &b.scaling {
+        for (particles, ms) in &scaling.sizes {
+            out += &format!("  {ms:8.3} ms a step at {particles} particles\n");
+        }
+        out += &format!("  time grows with the number of particles to the power {:.3}\n", scaling.exponent);
+    }
+    out
+}

@@ -1,0 +1,67 @@
+//! What can be said of a state as a whole, the same for every backend: a CPU solver is set up from it and asked.
+use crate::failure::Failure;
+use crate::fluid::Snapshot;
+use crate::memory::Heap;
+use millpond_core::layout::f32x4;
+use millpond_core::report::DensityError;
+use millpond_core::scene::{Place, Scene};
+use millpond_core::{Needs, Plan, SceneError, Solver};
+use serde::Serialize;
+
+/// A state in a few numbers.
+#[derive(Clone, Debug)]
+pub struct Census {
+    /// Mean number of particles inside a support radius, each counting itself.
+    pub average_neighbours: f64,
+    /// Compression.
+    pub density_error: DensityError,
+    /// Fastest particle, m/s.
+    pub fastest: f64,
+}
+
+/// A number at the first and at the last step.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct FirstLast {
+    /// At the first.
+    pub first: f64,
+    /// At the last.
+    pub last: f64,
+}
+
+/// Mean and largest of something.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct MeanMax {
+    /// Mean.
+    pub mean: f64,
+    /// Largest.
+    pub max: f64,
+}
+
+impl From<DensityError> for MeanMax {
+    fn from(error: DensityError) -> Self {
+        MeanMax { mean: error.mean, max: error.max }
+    }
+}
+
+/// Takes the census of a state of `scene`.
+///
+/// # Errors
+/// A state that no step could start from.
+pub fn census(scene: &Scene, state: &Snapshot) -> Result<Census, Failure> {
+    let count = state.position.len();
+    let mut heap = Heap::with(Needs { particles: count, ..Needs::of(scene) });
+    let vector = |[x, y, z, _]: f32x4| [x, y, z];
+    let places = state.position.iter().zip(&state.velocity);
+    let places = places.map(|(x, v)| Place { position: vector(*x), velocity: vector(*v) });
+    let solver = Solver::with_particles(scene, Plan::of(scene), count, places, heap.lend());
+    let mut solver = solver.map_err(|error| match error {
+        SceneError::FirstStep(step) => Failure::Step(step),
+        error => Failure::Scene { origin: "census".into(), error },
+    })?;
+    let speed = |v: &f32x4| v[..3].iter().map(|x| f64::from(*x) * f64::from(*x)).sum::<f64>().sqrt();
+    Ok(Census {
+        average_neighbours: solver.average_neighbours(),
+        density_error: solver.density_error(),
+        fastest: state.velocity.iter().map(speed).fold(0.0, f64::max),
+    })
+}

@@ -1,0 +1,261 @@
+//! `compare`: one scene on every path at once, every bit held against the scalar one after every step.
+use crate::cli::{BackendName, Common, Length};
+use crate::failure::Failure;
+use crate::fluid::{Snapshot, device_if_any, start};
+use crate::memory::Heap;
+use crate::output::{print_json, progress};
+use crate::pool::Pool;
+use crate::scenes::{Named, load};
+use millpond_core::scene::{GridStructure, Scene};
+use millpond_core::{Simd, Solver};
+use millpond_gpu::{Gpu, GpuSolver, Mode};
+use serde::Serialize;
+
+mod difference;
+pub use difference::{Difference, difference, ulp_distance};
+
+/// Options of `compare`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Options {
+    #[command(flatten)]
+    common: Common,
+    #[command(flatten)]
+    length: Length,
+    /// Compare with the GPU only, and fail where there is none (default: with every path there is)
+    #[arg(long)]
+    backend: Option<BackendName>,
+    /// Also run the GPU in plain mode, which promises no bits
+    #[arg(long)]
+    plain: bool,
+}
+
+/// Steps where nobody says otherwise.
+const DEFAULT_STEPS: u64 = 200;
+
+/// How far a path that promises no bits may stray, as a share of the spacing and of the speed of sound. A difference of
+/// one ULP grows with the fluid's chaos; this is where a picture begins to show it.
+const TOLERANCE: f64 = 0.01;
+
+/// Position and velocity of something.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct PerQuantity<T> {
+    /// Of positions.
+    pub position: T,
+    /// Of velocities.
+    pub velocity: T,
+}
+
+/// One path held against another.
+#[derive(Clone, Debug, Serialize)]
+pub struct Pair {
+    /// The path all others are held against.
+    pub a: String,
+    /// The other.
+    pub b: String,
+    /// Not a bit differed at any step.
+    pub bit_equal: bool,
+    /// The first step at which one did.
+    pub first_divergent_step: Option<u64>,
+    /// Largest distance in units in the last place, over all steps.
+    pub max_ulp: PerQuantity<u32>,
+    /// Largest distance, m and m/s.
+    pub max_abs: PerQuantity<f64>,
+    /// Close enough to look the same.
+    pub within_tolerance: bool,
+    /// The first value that differed, in words.
+    pub first_difference: Option<String>,
+    /// Does this path promise bits?
+    pub promised: bool,
+}
+
+/// Result of `compare`.
+#[derive(Clone, Debug, Serialize)]
+pub struct Comparison {
+    /// The scene.
+    pub scene: String,
+    /// Steps compared.
+    pub steps: u64,
+    /// Particles of the scene.
+    pub particles: usize,
+    /// State hash after the last step.
+    pub hash: String,
+    /// All pairs.
+    pub pairs: Vec<Pair>,
+}
+
+impl Comparison {
+    /// Did every path keep its promise?
+    #[must_use]
+    pub fn kept(&self) -> bool {
+        self.pairs.iter().all(|p| p.bit_equal || (!p.promised && p.within_tolerance))
+    }
+}
+
+/// A path of computation that is held against the reference.
+struct Rival<'a> {
+    path: Path<'a>,
+    pair: Pair,
+}
+
+enum Path<'a> {
+    Cpu(Box<Solver<'a>>, &'a Pool),
+    Gpu(Box<GpuSolver>),
+}
+
+impl Path<'_> {
+    fn step(&mut self) -> Result<Snapshot, Failure> {
+        match self {
+            Path::Cpu(solver, pool) => {
+                solver.step(*pool)?;
+                Ok(Snapshot::of_cpu(solver))
+            }
+            Path::Gpu(solver) => {
+                solver.step(1)?;
+                Snapshot::of_gpu(solver)
+            }
+        }
+    }
+}
+
+/// Runs `compare`; true where every path kept its promise.
+///
+/// # Errors
+/// A scene that cannot run, a step that cannot be made, no GPU where one is wanted.
+pub fn execute(options: &Options) -> Result<bool, Failure> {
+    let named = load(&options.common.scene, &options.common.changes)?;
+    let file = &named.file;
+    let default_time = DEFAULT_STEPS as f64 * f64::from(file.scene.time_step);
+    let steps = options.length.in_steps(default_time, file.scene.time_step)?;
+    let gpu = match options.backend {
+        Some(BackendName::Cpu) => None,
+        Some(BackendName::Gpu) => Some(Gpu::open(None, Mode::Strict)?),
+        None => device_if_any()?,
+    };
+    let plain = if options.plain { Some(Gpu::open(None, Mode::Plain)?) } else { None };
+    let with_cpu = options.backend != Some(BackendName::Gpu);
+    let devices: Vec<Gpu> = gpu.into_iter().chain(plain).collect();
+    let comparison = compare(&named, steps, with_cpu, &devices)?;
+    if options.common.json {
+        print_json(&comparison)?;
+    } else {
+        print!("{}", table(&comparison));
+    }
+    Ok(comparison.kept())
+}
+
+/// The same fluid by the other of the two ways to find neighbours.
+fn other_grid(scene: &Scene) -> Scene {
+    let mut other = scene.clone();
+    other.grid.structure = match scene.grid.structure {
+        // more than a compressed cell ever held in the built-in scenes
+        GridStructure::IndexSort => GridStructure::CellLists { places: 64 },
+        GridStructure::CellLists { .. } => GridStructure::IndexSort,
+    };
+    other
+}
+
+/// Holds every path against the scalar one over `steps` steps.
+///
+/// # Errors
+/// A scene that cannot run, a step that cannot be made.
+pub fn compare(named: &Named, steps: u64, with_cpu: bool, devices: &[Gpu]) -> Result<Comparison, Failure> {
+    let scene = &named.file.scene;
+    let other = other_grid(scene);
+    let (one, two) = (Pool::new(1)?, Pool::new(2)?);
+    let mut heaps = [scene, scene, scene, scene, &other].map(Heap::of);
+    let [first, base_heap, best_heap, two_heap, other_heap] = &mut heaps;
+    let mut reference = start(&named.name, scene, first)?.at_level(Simd::Scalar);
+    let mut rivals = Vec::new();
+    let mut enter = |b: String, promised: bool, path| {
+        let pair = Pair {
+            a: "cpu scalar".into(),
+            b,
+            bit_equal: true,
+            first_divergent_step: None,
+            max_ulp: PerQuantity::default(),
+            max_abs: PerQuantity::default(),
+            within_tolerance: true,
+            first_difference: None,
+            promised,
+        };
+        rivals.push(Rival { path, pair });
+    };
+    for gpu in devices {
+        let solver = GpuSolver::new(gpu, &reference)?;
+        let mode = format!("{:?}", gpu.mode()).to_lowercase();
+        enter(format!("gpu {mode}, {}", gpu.name()), gpu.mode() == Mode::Strict, Path::Gpu(Box::new(solver)));
+    }
+    if with_cpu {
+        let mut cpu = |name: &str, scene: &Scene, heap, simd, pool| {
+            let solver = start(&named.name, scene, heap)?.at_level(simd);
+            enter(name.into(), true, Path::Cpu(Box::new(solver), pool));
+            Ok::<_, Failure>(())
+        };
+        let best = Simd::detect();
+        let best_name = format!("{best:?}").to_lowercase();
+        cpu("cpu lanes (base)", scene, base_heap, Simd::Base, &one)?;
+        cpu(&format!("cpu lanes ({best_name})"), scene, best_heap, best, &one)?;
+        cpu(&format!("cpu lanes ({best_name}), 2 threads"), scene, two_heap, best, &two)?;
+        cpu(&format!("cpu lanes ({best_name}), other grid"), &other, other_heap, best, &one)?;
+    }
+
+    let bar = progress(&format!("compare {}", named.name), steps);
+    for step in 1..=steps {
+        reference.step(&one)?;
+        let want = Snapshot::of_cpu(&reference);
+        for rival in &mut rivals {
+            let got = rival.path.step()?;
+            if let Some(found) = difference(&want, &got) {
+                note(&mut rival.pair, step, found, scene);
+            }
+        }
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    Ok(Comparison {
+        scene: named.name.clone(),
+        steps,
+        particles: reference.slots().len(),
+        hash: format!("{:016x}", reference.hash()),
+        pairs: rivals.into_iter().map(|rival| rival.pair).collect(),
+    })
+}
+
+/// Writes down that a step differed.
+fn note(pair: &mut Pair, step: u64, found: Difference, scene: &Scene) {
+    pair.bit_equal = false;
+    pair.first_divergent_step.get_or_insert(step);
+    pair.first_difference.get_or_insert(found.first);
+    pair.max_ulp.position = pair.max_ulp.position.max(found.max_ulp.position);
+    pair.max_ulp.velocity = pair.max_ulp.velocity.max(found.max_ulp.velocity);
+    // NaN must win
+    let larger = |a: f64, b: f64| if b <= a { a } else { b };
+    pair.max_abs.position = larger(pair.max_abs.position, found.max_abs.position);
+    pair.max_abs.velocity = larger(pair.max_abs.velocity, found.max_abs.velocity);
+    pair.within_tolerance = pair.max_abs.position <= TOLERANCE * f64::from(scene.particle_spacing)
+        && pair.max_abs.velocity <= TOLERANCE * f64::from(scene.fluid.speed_of_sound);
+}
+
+/// The comparison in words.
+#[must_use]
+pub fn table(comparison: &Comparison) -> String {
+    let Comparison { scene, steps, particles, hash, pairs } = comparison;
+    let mut out = format!("{scene}: {particles} particles, {steps} steps, each held against cpu scalar; hash {hash}\n");
+    for pair in pairs {
+        let verdict = match (&pair.first_divergent_step, &pair.first_difference) {
+            (None, _) => "bit-equal at every step".to_owned(),
+            (Some(step), first) => {
+                let (ulp, abs) = (pair.max_ulp, pair.max_abs);
+                format!(
+                    "differs from step {step} on: {}; at most {} ULP, {:.2e} m, {:.2e} m/s",
+                    first.as_deref().unwrap_or_default(),
+                    ulp.position.max(ulp.velocity),
+                    abs.position,
+                    abs.velocity
+                )
+            }
+        };
+        out += &format!("  {:44} {verdict}\n", pair.b);
+    }
+    out
+}

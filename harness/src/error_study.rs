@@ -1,0 +1,229 @@
+//! `error`: how far off a case is, against how long it takes, over resolutions, time steps and formulas.
+use crate::cli::Out;
+use crate::failure::Failure;
+use crate::memory::Heap;
+use crate::output::{make_folder, print_json, progress, write_text};
+use crate::plot::{Mark, front_plot};
+use crate::pool::Pool;
+use crate::scenes::{Changes, Named, load};
+use millpond_core::Solver;
+use millpond_core::hash::tree_sum;
+use millpond_core::scene::{EquationOfState, Scene};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Options of `error`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Options {
+    /// The case: still-tank
+    case: String,
+    #[command(flatten)]
+    out: Out,
+    /// Coarser and shorter: half a minute
+    #[arg(long)]
+    quick: bool,
+    /// Threads of the CPU backend (1 gives the steadiest times)
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    threads: usize,
+    /// One JSON document on stdout
+    #[arg(long)]
+    json: bool,
+}
+
+/// Result of `error`.
+#[derive(Clone, Debug, Serialize)]
+pub struct Study {
+    /// The case.
+    pub case: String,
+    /// All runs.
+    pub runs: Vec<Run>,
+    /// Labels of the runs that no other run beats in both error and time, fastest first.
+    pub pareto: Vec<String>,
+    /// What the error is measured against.
+    pub reference: String,
+    /// The plot, where a folder was given.
+    pub plot: Option<PathBuf>,
+}
+
+/// One run of a study.
+#[derive(Clone, Debug, Serialize)]
+pub struct Run {
+    /// Its name in tables and plots.
+    pub label: String,
+    /// What was chosen.
+    pub choice: BTreeMap<&'static str, String>,
+    /// Particles.
+    pub particles: usize,
+    /// Time step, s.
+    pub dt: f64,
+    /// Wall time per simulated second, s.
+    pub wall_s: f64,
+    /// L2 error of the pressure over the pressure at the floor; absent where the run failed.
+    pub error: Option<f64>,
+    /// Why it failed.
+    pub failure: Option<String>,
+}
+
+/// What varies: spacings, and time steps as shares of `spacing / speed_of_sound`.
+struct Ladder {
+    spacings: [f32; 3],
+    courant: [f32; 2],
+    seconds: f64,
+}
+
+const FULL: Ladder = Ladder { spacings: [0.04, 0.02, 0.01], courant: [0.4, 0.2], seconds: 2.0 };
+const QUICK: Ladder = Ladder { spacings: [0.05, 0.025, 0.0125], courant: [0.4, 0.2], seconds: 1.0 };
+
+/// Samples of the error over the last fifth of a run: one state would show where an acoustic wave just is.
+const SAMPLES: u64 = 20;
+
+/// Runs `error`.
+///
+/// # Errors
+/// An unknown case, files that cannot be written.
+pub fn execute(options: &Options) -> Result<bool, Failure> {
+    if options.case != "still-tank" {
+        return Err(Failure::Call(format!("no case {:?}: there is still-tank", options.case)));
+    }
+    let study = study(options.quick, &Pool::new(options.threads)?, options.out.out.as_deref())?;
+    if options.json {
+        print_json(&study)?;
+    } else {
+        print!("{}", table(&study));
+    }
+    Ok(study.runs.iter().all(|run| run.error.is_some()))
+}
+
+/// The hydrostatic profile of `still-tank` over three spacings, two time steps and both equations of state.
+///
+/// # Errors
+/// Files that cannot be written.
+pub fn study(quick: bool, pool: &Pool, folder: Option<&Path>) -> Result<Study, Failure> {
+    let ladder = if quick { QUICK } else { FULL };
+    let base = load("still-tank", &Changes::default())?;
+    let choices = ladder.spacings.iter().flat_map(|spacing| {
+        let courant = ladder.courant.iter();
+        courant.flat_map(move |c| [EquationOfState::Tait, EquationOfState::Desbrun].map(|eos| (*spacing, *c, eos)))
+    });
+    let choices: Vec<_> = choices.collect();
+    let bar = progress("error still-tank", choices.len() as u64);
+    let mut runs = Vec::new();
+    for (spacing, courant, equation_of_state) in choices {
+        let mut scene = base.file.scene.clone();
+        scene.particle_spacing = spacing;
+        scene.time_step = courant * spacing / scene.fluid.speed_of_sound;
+        scene.model.equation_of_state = equation_of_state;
+        let label = format!("{equation_of_state:?} {} mm, C {courant}", f64::from((spacing * 1e4).round()) / 10.0);
+        let mut run = Run {
+            label,
+            choice: BTreeMap::from([
+                ("equation_of_state", format!("{equation_of_state:?}")),
+                ("particle_spacing", spacing.to_string()),
+                ("courant_number", courant.to_string()),
+            ]),
+            particles: scene.particle_count(),
+            dt: f64::from(scene.time_step),
+            wall_s: 0.0,
+            error: None,
+            failure: None,
+        };
+        match measure(&base, &scene, pool, ladder.seconds) {
+            Ok((error, wall_s)) => (run.error, run.wall_s) = (Some(error), wall_s),
+            Err(failure) => run.failure = Some(failure.to_string()),
+        }
+        runs.push(run);
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    let pareto = pareto(&runs);
+    let reference = "hydrostatic pressure p = rho0 g (H - y), H the depth at the start".into();
+    let mut study = Study { case: "still-tank".into(), runs, pareto, reference, plot: None };
+    if let Some(folder) = folder {
+        make_folder(folder)?;
+        let path = folder.join("error-still-tank.svg");
+        plot(&study, &path)?;
+        study.plot = Some(path);
+        write_text(&folder.join("error-still-tank.md"), &table(&study))?;
+    }
+    Ok(study)
+}
+
+/// Mean error over the samples, and wall time per simulated second.
+fn measure(base: &Named, scene: &Scene, pool: &Pool, seconds: f64) -> Result<(f64, f64), Failure> {
+    let mut heap = Heap::of(scene);
+    let mut solver = crate::fluid::start(&base.name, scene, &mut heap)?;
+    let steps = (seconds / f64::from(scene.time_step)).round() as u64;
+    let settled = steps * 4 / 5;
+    let every = ((steps - settled) / SAMPLES).max(1);
+    let (mut sum, mut samples) = (0.0, 0u64);
+    let mut wall = 0.0;
+    for step in 1..=steps {
+        let start = Instant::now();
+        solver.step(pool)?;
+        wall += start.elapsed().as_secs_f64();
+        if step > settled && (step - settled).is_multiple_of(every) {
+            sum += hydrostatic_error(scene, &solver);
+            samples += 1;
+        }
+    }
+    Ok((sum / samples.max(1) as f64, wall / (steps as f64 * f64::from(scene.time_step))))
+}
+
+/// L2 error of the pressure against `rho0 g (H - y)`, over the pressure at the floor.
+fn hydrostatic_error(scene: &Scene, solver: &Solver<'_>) -> f64 {
+    let depth = f64::from(scene.blocks.iter().map(|b| b.corner[1] + b.size[1]).fold(0.0, f32::max));
+    let weight = f64::from(scene.fluid.rest_density) * f64::from(-scene.gravity[1]);
+    let particles: Vec<_> = solver.particles().collect();
+    let square = |i: usize| {
+        let expected = weight * (depth - f64::from(particles[i].position.y)).max(0.0);
+        (f64::from(particles[i].pressure) - expected).powi(2)
+    };
+    (tree_sum(particles.len(), &square) / particles.len().max(1) as f64).sqrt() / (weight * depth)
+}
+
+/// Labels of the runs that no other beats in both error and time, fastest first.
+fn pareto(runs: &[Run]) -> Vec<String> {
+    let mut done: Vec<(&Run, f64)> = runs.iter().filter_map(|run| run.error.map(|error| (run, error))).collect();
+    done.sort_by(|(a, _), (b, _)| a.wall_s.total_cmp(&b.wall_s));
+    let mut best = f64::INFINITY;
+    let mut front = Vec::new();
+    for (run, error) in done {
+        if error < best {
+            best = error;
+            front.push(run.label.clone());
+        }
+    }
+    front
+}
+
+fn plot(study: &Study, path: &Path) -> Result<(), Failure> {
+    let marks: Vec<Mark> = study
+        .runs
+        .iter()
+        .filter_map(|run| {
+            let on_front = study.pareto.contains(&run.label);
+            run.error.map(|y| Mark { label: run.label.clone(), x: run.wall_s, y, on_front })
+        })
+        .collect();
+    let axes = ["wall time per simulated second, s", "L2 error of pressure / floor pressure"];
+    front_plot(path, "still tank: error against run time", axes, &marks)
+}
+
+/// The study in words.
+#[must_use]
+pub fn table(study: &Study) -> String {
+    let mut out = format!("# {}: error against run time\n\nReference: {}.\n\n", study.case, study.reference);
+    out += "| run | particles | dt, s | wall s per s | error | front |\n| --- | --- | --- | --- | --- | --- |\n";
+    for run in &study.runs {
+        let error =
+            run.error.map_or_else(|| run.failure.clone().unwrap_or_default(), |e| format!("{:.2} %", e * 100.0));
+        let front = if study.pareto.contains(&run.label) { "*" } else { "" };
+        out += &format!(
+            "| {} | {} | {:.2e} | {:.2} | {error} | {front} |\n",
+            run.label, run.particles, run.dt, run.wall_s
+        );
+    }
+    out
+}

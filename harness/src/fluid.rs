@@ -1,0 +1,159 @@
+//! A scene on a backend, behind one face.
+use crate::cli::BackendName;
+use crate::failure::Failure;
+use crate::memory::Heap;
+use crate::pool::Pool;
+use crate::scenes::Named;
+use millpond_core::hash::state_hash;
+use millpond_core::layout::f32x4;
+use millpond_core::scene::Scene;
+use millpond_core::{SceneError, Solver};
+use millpond_gpu::{Gpu, GpuError, GpuSolver, Mode};
+
+/// Set to `1`, it turns a missing GPU into a failure, so that no comparison is skipped unseen.
+pub const REQUIRE_GPU: &str = "MILLPOND_REQUIRE_GPU";
+
+/// A fluid that can be stepped and looked at.
+#[derive(Debug)]
+pub enum Fluid<'a> {
+    /// On the CPU.
+    Cpu {
+        /// The fluid.
+        solver: Box<Solver<'a>>,
+        /// Who works.
+        pool: &'a Pool,
+    },
+    /// On a device.
+    Gpu {
+        /// The fluid.
+        solver: Box<GpuSolver>,
+        /// Name of the device.
+        device: String,
+    },
+}
+
+/// A state, by particle id.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Snapshot {
+    /// Position, m.
+    pub position: Vec<f32x4>,
+    /// Velocity, m/s.
+    pub velocity: Vec<f32x4>,
+    /// [`QUANTITIES`](millpond_core::layout::QUANTITIES).
+    pub density_pressure: Vec<f32x4>,
+}
+
+impl Snapshot {
+    fn of(slots: &[u32], position: &[f32x4], velocity: &[f32x4], density_pressure: &[f32x4]) -> Snapshot {
+        let by_id = |array: &[f32x4]| slots.iter().map(|&slot| array[slot as usize]).collect();
+        Snapshot { position: by_id(position), velocity: by_id(velocity), density_pressure: by_id(density_pressure) }
+    }
+
+    /// The state hash, as core computes it.
+    #[must_use]
+    pub fn hash(&self) -> u64 {
+        let slots: Vec<u32> = (0..self.position.len() as u32).collect();
+        state_hash(&slots, &self.position, &self.velocity)
+    }
+
+    /// Of a CPU solver.
+    #[must_use]
+    pub fn of_cpu(solver: &Solver<'_>) -> Snapshot {
+        let state = solver.state();
+        Snapshot::of(solver.slots(), state.position, state.velocity, state.density_pressure)
+    }
+
+    /// Of a GPU solver.
+    ///
+    /// # Errors
+    /// The device failed.
+    pub fn of_gpu(solver: &GpuSolver) -> Result<Snapshot, Failure> {
+        let state = solver.read()?;
+        Ok(Snapshot::of(&state.slots(), &state.position, &state.velocity, &state.density_pressure))
+    }
+}
+
+impl<'a> Fluid<'a> {
+    /// `scene` at its start.
+    ///
+    /// # Errors
+    /// A scene that cannot start, or no such backend.
+    pub fn start(
+        named: &Named,
+        backend: BackendName,
+        heap: &'a mut Heap,
+        pool: &'a Pool,
+    ) -> Result<Fluid<'a>, Failure> {
+        let solver = start(&named.name, &named.file.scene, heap)?;
+        Ok(match backend {
+            BackendName::Cpu => Fluid::Cpu { solver: Box::new(solver), pool },
+            BackendName::Gpu => {
+                let gpu = Gpu::open(None, Mode::Strict)?;
+                Fluid::Gpu { solver: Box::new(GpuSolver::new(&gpu, &solver)?), device: gpu.name() }
+            }
+        })
+    }
+
+    /// Makes `count` steps.
+    ///
+    /// # Errors
+    /// A step that could not be made.
+    pub fn step(&mut self, count: u32) -> Result<(), Failure> {
+        match self {
+            Fluid::Cpu { solver, pool } => (0..count).try_for_each(|_| solver.step(*pool)).map_err(Failure::Step),
+            Fluid::Gpu { solver, .. } => Ok(solver.step(count)?),
+        }
+    }
+
+    /// Its state now.
+    ///
+    /// # Errors
+    /// The device failed.
+    pub fn snapshot(&self) -> Result<Snapshot, Failure> {
+        match self {
+            Fluid::Cpu { solver, .. } => Ok(Snapshot::of_cpu(solver)),
+            Fluid::Gpu { solver, .. } => Snapshot::of_gpu(solver),
+        }
+    }
+
+    /// What it runs on, in words.
+    #[must_use]
+    pub fn backend(&self) -> String {
+        match self {
+            Fluid::Cpu { solver, pool } => {
+                let threads = millpond_core::Executor::width(*pool);
+                format!("cpu ({:?}, {threads} threads)", solver.simd()).to_lowercase()
+            }
+            Fluid::Gpu { device, .. } => format!("gpu (strict, {device})"),
+        }
+    }
+}
+
+/// A CPU solver for `scene` at its start.
+///
+/// # Errors
+/// A scene that cannot start.
+pub fn start<'a>(name: &str, scene: &Scene, heap: &'a mut Heap) -> Result<Solver<'a>, Failure> {
+    Solver::new(scene, heap.lend()).map_err(|error| match error {
+        SceneError::FirstStep(step) => Failure::Step(step),
+        error => Failure::Scene { origin: name.to_owned(), error },
+    })
+}
+
+/// A device in strict mode, or `None` with a line on stderr where there is none.
+///
+/// # Errors
+/// None where [`REQUIRE_GPU`] wants one.
+pub fn device_if_any() -> Result<Option<Gpu>, Failure> {
+    match Gpu::open(None, Mode::Strict) {
+        Ok(gpu) => Ok(Some(gpu)),
+        Err(error @ (GpuError::NoAdapter { .. } | GpuError::NoStrictMode { .. })) => {
+            if std::env::var_os(REQUIRE_GPU).is_some_and(|v| v == "1") {
+                return Err(error.into());
+            }
+            eprintln!("GPU left out: {error}");
+            Ok(None)
+        }
+        Err(error) => Err(error.into()),
+    }
+}

@@ -1,0 +1,27 @@
+//! millpond: the program that runs fluid scenes on both backends and shows that they agree, how fast they are and how
+//! far off.
+//!
+//! Each command has a module of its own: [`run`], [`compare`], [`bench`], [`plan_view`], [`error_study`], and
+//! [`showcase`], which is what happens without any. They share [`scenes`] (what runs), [`fluid`] (a scene on a backend),
+//! [`census`] (what can be said of it) and the drawing in [`paint`], [`frames`] and [`plot`].
+
+pub mod bench;
+pub mod census;
+pub mod cli;
+pub mod compare;
+pub mod error_study;
+pub mod failure;
+pub mod fluid;
+pub mod frames;
+pub mod memory;
+pub mod output;
+pub mod paint;
+pub mod plan_view;
+pub mod plot;
+pub mod pool;
+pub mod run;
+pub mod scenes;
+pub mod showcase;
+pub mod timing;
+
+pub use failure::Failure;

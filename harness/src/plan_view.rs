@@ -1,0 +1,162 @@
+//! `plan`: what a scene needs, what it leaves out, and what that saves.
+use crate::cli::Common;
+use crate::failure::Failure;
+use crate::memory::Heap;
+use crate::output::print_json;
+use crate::pool::Pool;
+use crate::scenes::{Named, load};
+use crate::timing::{Milliseconds, timed};
+use millpond_core::scene::{GridStructure, Scene, places};
+use millpond_core::{Needs, Plan, SceneError, Solver};
+use serde::Serialize;
+
+/// Options of `plan`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Options {
+    #[command(flatten)]
+    common: Common,
+    /// Steps to time with the plan and with everything (0: none)
+    #[arg(long, default_value_t = 20, value_name = "N")]
+    steps: u32,
+}
+
+/// Result of `plan`.
+#[derive(Clone, Debug, Serialize)]
+pub struct PlanView {
+    /// The scene.
+    pub scene: String,
+    /// What runs, in order.
+    pub passes: Vec<PassView>,
+    /// What does not, and why.
+    pub left_out: Vec<LeftOutView>,
+    /// Memory.
+    pub bytes: Bytes,
+    /// Time of a step by either plan, taken in turn.
+    pub ms_per_step: PlanTimes,
+}
+
+/// A pass and what is in it.
+#[derive(Clone, Debug, Serialize)]
+pub struct PassView {
+    /// Which.
+    pub name: &'static str,
+    /// Its terms, in order.
+    pub terms: Vec<&'static str>,
+}
+
+/// Something left out.
+#[derive(Clone, Debug, Serialize)]
+pub struct LeftOutView {
+    /// What.
+    pub what: &'static str,
+    /// Why.
+    pub why: &'static str,
+    /// Memory that this saves.
+    pub bytes: usize,
+}
+
+/// Memory of a scene.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Bytes {
+    /// By its plan.
+    pub used: usize,
+    /// With everything that this version can leave out.
+    pub everything: usize,
+}
+
+/// Times of the two plans.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct PlanTimes {
+    /// By the scene's plan.
+    pub plan: Milliseconds,
+    /// With every term.
+    pub everything: Milliseconds,
+}
+
+/// Places of a cell in the figure of what cell lists would cost: twice the default neighbours.
+const USUAL_PLACES: u32 = 64;
+
+/// Runs `plan`.
+///
+/// # Errors
+/// A scene that cannot run.
+pub fn execute(options: &Options) -> Result<bool, Failure> {
+    let named = load(&options.common.scene, &options.common.changes)?;
+    let view = view(&named, &Pool::new(options.common.threads)?, options.steps)?;
+    if options.common.json {
+        print_json(&view)?;
+    } else {
+        print!("{}", table(&view));
+    }
+    Ok(true)
+}
+
+/// The plan of a scene, timed over `steps` steps.
+///
+/// # Errors
+/// A scene that cannot run.
+pub fn view(named: &Named, pool: &Pool, steps: u32) -> Result<PlanView, Failure> {
+    let scene = &named.file.scene;
+    let plan = Plan::of(scene);
+    let used = Needs::of(scene).bytes();
+    let passes = plan.passes().map(|p| PassView { name: p.name(), terms: plan.terms(p).into_iter().collect() });
+    let bytes_of = |what: &str| if what == "cell lists" { with_lists(scene) - used } else { 0 };
+    let left_out = plan.left_out();
+    let left_out = left_out.iter().map(|l| LeftOutView { what: l.what, why: l.why, bytes: bytes_of(l.what) });
+    Ok(PlanView {
+        scene: named.name.clone(),
+        passes: passes.collect(),
+        left_out: left_out.collect(),
+        bytes: Bytes { used, everything: with_lists(scene).max(used) },
+        ms_per_step: time(named, pool, steps)?,
+    })
+}
+
+/// Memory of the scene with cell lists.
+fn with_lists(scene: &Scene) -> usize {
+    let mut lists = scene.clone();
+    if scene.grid.structure == GridStructure::IndexSort {
+        lists.grid.structure = GridStructure::CellLists { places: USUAL_PLACES };
+    }
+    Needs::of(&lists).bytes()
+}
+
+/// Times the two plans in turn, so that both meet the same mood of the machine.
+fn time(named: &Named, pool: &Pool, steps: u32) -> Result<PlanTimes, Failure> {
+    let scene = &named.file.scene;
+    let mut heaps = [Heap::of(scene), Heap::of(scene)];
+    let mut times = [Vec::new(), Vec::new()];
+    let mut solvers = Vec::new();
+    for (heap, plan) in heaps.iter_mut().zip([Plan::of(scene), Plan::everything(scene)]) {
+        let solver = Solver::with_particles(scene, plan, scene.particle_count(), places(scene), heap.lend());
+        solvers.push(solver.map_err(|error| match error {
+            SceneError::FirstStep(step) => Failure::Step(step),
+            error => Failure::Scene { origin: named.name.clone(), error },
+        })?);
+    }
+    for _ in 0..steps {
+        for (solver, times) in solvers.iter_mut().zip(&mut times) {
+            let (result, ms) = timed(|| solver.step(pool));
+            result?;
+            times.push(ms);
+        }
+    }
+    Ok(PlanTimes { plan: Milliseconds::of(&times[0]), everything: Milliseconds::of(&times[1]) })
+}
+
+/// The plan in words.
+#[must_use]
+pub fn table(view: &PlanView) -> String {
+    let mut out = format!("{}\n", view.scene);
+    for pass in &view.passes {
+        out += &format!("  {:22} {}\n", pass.name, pass.terms.join(", "));
+    }
+    out += "left out\n";
+    for left_out in &view.left_out {
+        out += &format!("  {:22} {} ({} bytes)\n", left_out.what, left_out.why, left_out.bytes);
+    }
+    let (bytes, ms) = (view.bytes, view.ms_per_step);
+    out += &format!("bytes: {} used, {} with everything\n", bytes.used, bytes.everything);
+    out += &format!("ms a step at least: {:.3} by the plan, {:.3} with everything\n", ms.plan.min, ms.everything.min);
+    out
+}

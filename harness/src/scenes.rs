@@ -1,0 +1,196 @@
+//! Scene files: RON text with unknown fields refused, a few of them built in, every field open to `--set`.
+use crate::failure::Failure;
+use millpond_core::SceneError;
+use millpond_core::scene::{Container, Scene};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use std::path::Path;
+
+/// A scene and how it is shown.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SceneFile {
+    /// One sentence about it.
+    pub about: String,
+    /// How long it runs where nobody says otherwise, s.
+    pub duration: f64,
+    /// From where it is drawn.
+    pub camera: Camera,
+    /// What colours a particle.
+    pub shade: Shade,
+    /// What runs.
+    pub scene: Scene,
+}
+
+/// From where a scene is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub enum Camera {
+    /// Straight onto the xy plane.
+    Flat,
+    /// Around the middle of the scene.
+    Orbit {
+        /// To the side.
+        yaw_degrees: f32,
+        /// From above.
+        pitch_degrees: f32,
+    },
+}
+
+/// What colours a particle, and the values at the two ends of the colours.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub enum Shade {
+    /// Speed, m/s.
+    Speed(f32, f32),
+    /// Density, kg/m3.
+    Density(f32, f32),
+}
+
+/// A scene by the name it was asked for.
+#[derive(Clone, Debug)]
+pub struct Named {
+    /// Built-in name, or name of the file without its extension.
+    pub name: String,
+    /// What it says.
+    pub file: SceneFile,
+}
+
+macro_rules! built_in {
+    ($($name:literal),* $(,)?) => { &[$(($name, include_str!(concat!("../scenes/", $name, ".ron")))),*] };
+}
+
+/// Name and text of the built-in scenes.
+pub const BUILT_IN: &[(&str, &str)] = built_in!("dam-break", "dam-break-2d", "still-tank", "thesis-cube");
+
+/// What a caller asks of a scene beside its name.
+#[derive(Clone, Debug, Default, clap::Args)]
+pub struct Changes {
+    /// Override one field of the scene, by the end of its path: time_step=0.0005, fluid.speed_of_sound=30
+    #[arg(long, value_name = "FIELD=VALUE")]
+    pub set: Vec<String>,
+    /// About so many particles, by making every length of the scene larger at the same spacing
+    #[arg(long, value_name = "N")]
+    pub particles: Option<u64>,
+}
+
+/// A built-in scene by name, or a scene file by path, changed and checked.
+///
+/// # Errors
+/// No such scene, a text that is none, a change that does not fit, or a scene that cannot run.
+pub fn load(name: &str, changes: &Changes) -> Result<Named, Failure> {
+    let built_in = BUILT_IN.iter().find(|(known, _)| *known == name);
+    let path = Path::new(name);
+    let (text, origin) = match built_in {
+        Some((_, text)) => ((*text).to_owned(), Path::new("built-in").join(name)),
+        None if path.extension().is_some() || path.exists() => {
+            (std::fs::read_to_string(path).map_err(Failure::file(path))?, path.to_owned())
+        }
+        None => {
+            let known: Vec<&str> = BUILT_IN.iter().map(|(known, _)| *known).collect();
+            return Err(Failure::Call(format!("no scene {name:?}: give a .ron file, or one of {}", known.join(", "))));
+        }
+    };
+    let mut file = parse(&text, &origin)?;
+    for change in &changes.set {
+        file = set(&file, change)?;
+    }
+    let refuse = |error| refusal(&text, &origin, changes, error);
+    file.scene.check().map_err(refuse)?;
+    if let Some(particles) = changes.particles {
+        scale(&mut file.scene, particles)?;
+        file.scene.check().map_err(refuse)?;
+    }
+    if !(file.duration.is_finite() && file.duration > 0.0) {
+        return Err(Failure::Call(format!("duration is {}, and must be larger than 0", file.duration)));
+    }
+    let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned());
+    Ok(Named { name: if built_in.is_some() { name.to_owned() } else { stem.unwrap_or_default() }, file })
+}
+
+/// The scene of a RON text.
+fn parse(text: &str, origin: &Path) -> Result<SceneFile, Failure> {
+    let options = ron::Options::default().with_default_extension(ron::extensions::Extensions::IMPLICIT_SOME);
+    options.from_str(text).map_err(|e| Failure::SceneText {
+        file: origin.to_owned(),
+        line: e.span.start.line,
+        message: e.code.to_string(),
+    })
+}
+
+/// A scene error with the file and the line of its field, where the text has one.
+fn refusal(text: &str, origin: &Path, changes: &Changes, error: SceneError) -> Failure {
+    let message = error.to_string();
+    let field = message.split_whitespace().next().unwrap_or_default();
+    let leaf = field.rsplit('.').next().unwrap_or(field);
+    let changed = |change: &&String| change.split('=').next().is_some_and(|path| path.ends_with(leaf));
+    if let Some(change) = changes.set.iter().find(changed) {
+        return Failure::Scene { origin: format!("--set {change}"), error };
+    }
+    let wanted = format!("{leaf}:");
+    let line = text.lines().position(|line| line.contains(&wanted));
+    let line = line.map_or(String::new(), |line| format!(":{}", line + 1));
+    Failure::Scene { origin: format!("{}{line}", origin.display()), error }
+}
+
+/// `file` with one field changed. A field is named by the end of its path, the shortest path winning.
+fn set(file: &SceneFile, change: &str) -> Result<SceneFile, Failure> {
+    let wrong = |what: String| Failure::Call(format!("--set {change}: {what}"));
+    let (field, value) = change.split_once('=').ok_or_else(|| wrong("give FIELD=VALUE".into()))?;
+    let value: Value = serde_json::from_str(value).unwrap_or_else(|_| Value::String(value.to_owned()));
+    let mut tree = serde_json::to_value(file).map_err(|e| wrong(e.to_string()))?;
+    let mut paths = Vec::new();
+    collect_paths(&tree, "", &mut paths);
+    let ending = format!("/{}", field.replace('.', "/"));
+    let matches: Vec<&String> = paths.iter().filter(|path| path.ends_with(&ending)).collect();
+    let shortest = matches.iter().map(|path| path.matches('/').count()).min();
+    let mut best = matches.iter().filter(|path| Some(path.matches('/').count()) == shortest);
+    let (Some(path), None) = (best.next(), best.next()) else {
+        return Err(wrong(match matches.len() {
+            0 => format!("no field {field}"),
+            n => format!("{field} names {n} fields"),
+        }));
+    };
+    if let Some(place) = tree.pointer_mut(path) {
+        *place = value;
+    }
+    serde_json::from_value(tree).map_err(|e| wrong(e.to_string()))
+}
+
+/// JSON pointers of everything in a tree.
+fn collect_paths(tree: &Value, prefix: &str, out: &mut Vec<String>) {
+    let mut add = |key: &str, value: &Value| {
+        let path = format!("{prefix}/{key}");
+        collect_paths(value, &path, out);
+        out.push(path);
+    };
+    match tree {
+        Value::Object(fields) => fields.iter().for_each(|(key, value)| add(key, value)),
+        Value::Array(items) => items.iter().enumerate().for_each(|(i, value)| add(&i.to_string(), value)),
+        _ => {}
+    }
+}
+
+/// Makes every length of a scene larger at the same spacing, so that it has about `particles` particles.
+fn scale(scene: &mut Scene, particles: u64) -> Result<(), Failure> {
+    let now = scene.particle_count();
+    if now == 0 || particles == 0 {
+        return Err(Failure::Call(format!("--particles {particles}: cannot scale a scene of {now} particles")));
+    }
+    let factor = (particles as f64 / now as f64).powf(1.0 / scene.dimension.count() as f64);
+    let grow = |lengths: &mut [f32; 3]| lengths.iter_mut().for_each(|x| *x = (f64::from(*x) * factor) as f32);
+    for block in &mut scene.blocks {
+        grow(&mut block.corner);
+        grow(&mut block.size);
+    }
+    if let Some(Container { low, high, .. }) = &mut scene.container {
+        grow(low);
+        grow(high);
+    }
+    // a larger scene needs more cells, or far particles come to share them
+    let axes = scene.dimension.count();
+    for cells in &mut scene.grid.cells[..axes] {
+        *cells = (f64::from(*cells) * factor).ceil().clamp(3.0, 1024.0) as u32;
+    }
+    Ok(())
+}

@@ -1,0 +1,61 @@
+//! What happens without a command: the whole promise in a few minutes.
+use crate::cli::BackendName;
+use crate::compare::{self, compare};
+use crate::error_study;
+use crate::failure::Failure;
+use crate::fluid::device_if_any;
+use crate::output::{make_folder, write_text};
+use crate::plan_view;
+use crate::pool::Pool;
+use crate::run::{self, run};
+use crate::scenes::{Changes, load};
+use std::path::Path;
+
+/// Where the showcase writes.
+const FOLDER: &str = "out/showcase";
+
+/// Steps that the backends are compared over.
+const COMPARED_STEPS: u64 = 200;
+
+/// Pictures of the run.
+const PICTURES: u64 = 41;
+
+/// Runs the showcase; true where every promise was kept.
+///
+/// # Errors
+/// A step that cannot be made, files that cannot be written.
+pub fn execute() -> Result<bool, Failure> {
+    let folder = Path::new(FOLDER);
+    make_folder(folder)?;
+    let named = load("dam-break", &Changes::default())?;
+    let scene = &named.file.scene;
+    let pool = Pool::new(0)?;
+    let mut report = String::from("# millpond: the showcase\n\n");
+    let mut say = |text: &str| {
+        println!("{text}");
+        report += text;
+        report += "\n";
+    };
+
+    say("## The same bits on every path\n");
+    let devices: Vec<_> = device_if_any()?.into_iter().collect();
+    if devices.is_empty() {
+        say("No Vulkan device here: the GPU is left out. A software one will do (Debian: mesa-vulkan-drivers).\n");
+    }
+    let comparison = compare(&named, COMPARED_STEPS, true, &devices)?;
+    say(&compare::table(&comparison));
+
+    say("## A dam break\n");
+    let steps = (named.file.duration / f64::from(scene.time_step)).round() as u64;
+    let outcome = run(&named, BackendName::Cpu, &pool, steps, Some((folder, PICTURES)))?;
+    say(run::report(&named, &outcome).trim_start_matches("# "));
+
+    say("## What the plan leaves out\n");
+    say(&plan_view::table(&plan_view::view(&named, &pool, 20)?));
+
+    let study = error_study::study(true, &Pool::new(1)?, Some(folder))?;
+    say(error_study::table(&study).trim_start_matches("# "));
+    say(&format!("Pictures, plot and this report: {FOLDER}"));
+    write_text(&folder.join("report.md"), &report)?;
+    Ok(comparison.kept() && study.runs.iter().all(|run| run.error.is_some()))
+}
