@@ -50,6 +50,7 @@ impl Plan {
             model: Model {
                 density_kernel: choice.density_kernel as u32,
                 pressure_kernel: choice.pressure_kernel as u32,
+                pressure_force: choice.pressure_force as u32,
                 equation_of_state: choice.equation_of_state as u32,
                 suction: u32::from(choice.suction),
                 near_pressure: 1,
@@ -98,7 +99,7 @@ impl Plan {
                 ("near_pressure", m.near_pressure == 1),
             ],
             Pass::Force => &[
-                ("pressure_mueller", true),
+                (["pressure_mueller", "pressure_monaghan"][m.pressure_force as usize % 2], true),
                 (slope, true),
                 ("near_slope", m.near_pressure == 1),
                 ("viscosity_mueller", m.viscosity == 1),

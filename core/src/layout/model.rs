@@ -8,6 +8,8 @@ shared! {
         pub density_kernel: u32,
         /// [`terms::kernel`](crate::terms::kernel) of the pressure gradient.
         pub pressure_kernel: u32,
+        /// [`terms::pressure`](crate::terms::pressure).
+        pub pressure_force: u32,
         /// [`terms::state`](crate::terms::state).
         pub equation_of_state: u32,
         /// 1: pressure may be negative.

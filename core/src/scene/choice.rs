@@ -1,6 +1,6 @@
 //! Every choice between formulas or structures that a scene can make. The numbers of those that a term compares are the
 //! term's own.
-use crate::terms::{kernel, state};
+use crate::terms::{kernel, pressure, state};
 
 /// Dimension of space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,6 +50,17 @@ pub enum EquationOfState {
     Tait = state::TAIT,
     /// Desbrun and Cani 1996, linear (S0 eq. 2.14).
     Desbrun = state::DESBRUN,
+}
+
+/// How pressure becomes force.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[repr(u32)]
+pub enum PressureForce {
+    /// Mueller et al. 2003 (S0 eq. 2.19): cheap, and half of the gradient.
+    Mueller = pressure::MUELLER,
+    /// Monaghan 1992 (S0 eq. 2.18): the whole gradient, and with one kernel for density and gradient it conserves energy.
+    Monaghan = pressure::MONAGHAN,
 }
 
 /// How much of a bounce a wall gives back.

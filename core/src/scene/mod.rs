@@ -5,7 +5,7 @@ mod check;
 mod choice;
 mod lattice;
 
-pub use choice::{Dimension, EquationOfState, Face, GridStructure, Kernel, Reflection};
+pub use choice::{Dimension, EquationOfState, Face, GridStructure, Kernel, PressureForce, Reflection};
 pub use lattice::{Place, places};
 
 use crate::layout::PLANES;
@@ -118,6 +118,8 @@ pub struct ModelChoice {
     pub density_kernel: Kernel,
     /// Kernel of the pressure gradient.
     pub pressure_kernel: Kernel,
+    /// Pressure to force.
+    pub pressure_force: PressureForce,
     /// Density to pressure.
     pub equation_of_state: EquationOfState,
     /// May pressure be negative? Suction holds a free cloud together, and lets particles pair without near pressure.
@@ -131,6 +133,7 @@ impl Default for ModelChoice {
         ModelChoice {
             density_kernel: Kernel::Poly6,
             pressure_kernel: Kernel::Spiky,
+            pressure_force: PressureForce::Mueller,
             equation_of_state: EquationOfState::Tait,
             suction: true,
             near_pressure: true,

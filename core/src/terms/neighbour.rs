@@ -25,7 +25,7 @@ pub struct Local<R> {
 #[inline(always)]
 pub fn pressure_neighbour<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>, q: R) -> R {
     let slope = kernel_slope(m.pressure_kernel, q) * p.pressure_constant;
-    let push = pressure_mueller(a.pressure, b.pressure, b.volume, slope);
+    let push = pressure_pair(m, a.pressure, b.pressure, a.volume, b.volume, slope);
     if m.near_pressure == 0 {
         return push;
     }
