@@ -30,13 +30,19 @@ pub(crate) struct Buffers {
 }
 
 /// Makes buffers; an empty array gets one entry, since a binding cannot be empty.
-struct Maker<'g> {
+pub(crate) struct Maker<'g> {
     gpu: &'g Gpu,
     usage: wgpu::BufferUsages,
 }
 
-impl Maker<'_> {
-    fn room(&self, array: &'static str, bytes: usize) -> Result<wgpu::Buffer, GpuError> {
+impl<'g> Maker<'g> {
+    /// Of storage buffers.
+    pub(crate) fn storage(gpu: &'g Gpu) -> Maker<'g> {
+        Maker { gpu, usage: wgpu::BufferUsages::STORAGE }
+    }
+
+    /// A buffer of so many bytes.
+    pub(crate) fn room(&self, array: &'static str, bytes: usize) -> Result<wgpu::Buffer, GpuError> {
         let bytes = bytes.max(size_of::<f32x4>()) as u64;
         let limit = self.gpu.device.limits().max_storage_buffer_binding_size;
         if bytes > limit {
@@ -47,7 +53,8 @@ impl Maker<'_> {
         Ok(self.gpu.device.create_buffer(&descriptor))
     }
 
-    fn filled<T: Pod>(&self, array: &'static str, content: &[T]) -> Result<wgpu::Buffer, GpuError> {
+    /// A buffer with this content.
+    pub(crate) fn filled<T: Pod>(&self, array: &'static str, content: &[T]) -> Result<wgpu::Buffer, GpuError> {
         let buffer = self.room(array, size_of_val(content))?;
         self.gpu.queue.write_buffer(&buffer, 0, cast_slice(content));
         Ok(buffer)
@@ -57,7 +64,7 @@ impl Maker<'_> {
 impl Buffers {
     /// With the current state of `solver` in state 0.
     pub(crate) fn of(gpu: &Gpu, solver: &Solver<'_>) -> Result<Buffers, GpuError> {
-        let storage = Maker { gpu, usage: wgpu::BufferUsages::STORAGE };
+        let storage = Maker::storage(gpu);
         let uniform = Maker { gpu, usage: wgpu::BufferUsages::UNIFORM };
         let state = solver.state();
         let parameters: &Parameters = solver.parameters();

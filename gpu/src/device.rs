@@ -1,6 +1,7 @@
 //! Choosing a device. Any adapter will do, a software one too.
 use crate::error::GpuError;
 use crate::strict::spirv;
+use crate::words::{WordReport, try_words};
 use std::borrow::Cow;
 
 /// How the programs reach the driver.
@@ -60,7 +61,21 @@ impl Gpu {
         wanted.required_limits.max_buffer_size = limits.max_buffer_size;
         let (device, queue) = pollster::block_on(adapter.request_device(&wanted))
             .map_err(|e| GpuError::NoDevice { adapter: info.name.clone(), reason: e.to_string() })?;
-        Ok(Gpu { device, queue, info, mode })
+        let gpu = Gpu { device, queue, info, mode };
+        if mode == Mode::Strict {
+            gpu.prove_words()?;
+        }
+        Ok(gpu)
+    }
+
+    /// Refuses a device whose words differ from core's.
+    fn prove_words(&self) -> Result<(), GpuError> {
+        match try_words(self)?.into_iter().find(|report| report.differing > 0) {
+            None => Ok(()),
+            Some(WordReport { word, tried, differing }) => {
+                Err(GpuError::LooseArithmetic { adapter: self.name(), word, differing, tried })
+            }
+        }
     }
 
     /// Name and driver of the adapter.

@@ -27,6 +27,18 @@ pub enum GpuError {
         /// Vulkan, Metal ...
         backend: String,
     },
+    /// The device computes a word of the terms otherwise than core, even in strict mode.
+    #[error("adapter {adapter} computes `{word}` with other bits than the CPU ({differing} of {tried} inputs)")]
+    LooseArithmetic {
+        /// Its name.
+        adapter: String,
+        /// The first word that differs.
+        word: &'static str,
+        /// Inputs whose results differ.
+        differing: usize,
+        /// Inputs tried.
+        tried: usize,
+    },
     /// A shader was refused: a defect of this crate.
     #[error("shader refused: {0}")]
     Shader(String),

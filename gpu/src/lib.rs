@@ -13,6 +13,7 @@ pub mod program;
 pub mod solver;
 pub mod strict;
 pub mod text;
+pub mod words;
 
 mod buffers;
 mod pipelines;

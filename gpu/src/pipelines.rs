@@ -4,6 +4,7 @@ use crate::buffers::Buffers;
 use crate::device::Gpu;
 use crate::error::GpuError;
 use crate::program::program;
+use millpond_core::layout::WORKGROUP;
 use millpond_core::{Pass, Plan};
 
 /// Most work groups along one dimension of a dispatch (WebGPU's default limit).
@@ -59,19 +60,54 @@ fn size(pass: Pass, [particles, cells]: [u32; 2]) -> [u32; 2] {
     [groups.div_ceil(rows), rows]
 }
 
+/// Runs a program of two storage buffers, one read and one written, once.
+pub(crate) fn dispatch_once(
+    gpu: &Gpu,
+    label: &str,
+    wgsl: &str,
+    [from, to]: [&wgpu::Buffer; 2],
+    groups: u32,
+) -> Result<(), GpuError> {
+    use wgpu::BufferBindingType::Storage;
+    let kinds = [Storage { read_only: true }, Storage { read_only: false }];
+    let (layout, pipeline) = make_pipeline(gpu, label, wgsl, WORKGROUP, &kinds)?;
+    let bind = bind_group(gpu, label, &layout, &[from, to]);
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+    pass.set_pipeline(&pipeline);
+    pass.set_bind_group(0, &bind, &[]);
+    pass.dispatch_workgroups(groups, 1, 1);
+    drop(pass);
+    gpu.queue.submit([encoder.finish()]);
+    Ok(())
+}
+
+/// Pipeline of a pass, with the layout of its bindings.
 fn pipeline(gpu: &Gpu, pass: Pass, plan: &Plan) -> Result<(wgpu::BindGroupLayout, wgpu::ComputePipeline), GpuError> {
-    let label = Some(pass.name());
-    let module = gpu.module(pass.name(), &program(pass, &plan.model), workgroup(pass))?;
-    let entry = |binding: usize, ty| wgpu::BindGroupLayoutEntry {
+    let storage =
+        |(_, access): &(Array, Access)| wgpu::BufferBindingType::Storage { read_only: *access == Access::Read };
+    let mut kinds = vec![wgpu::BufferBindingType::Uniform];
+    kinds.extend(arrays(pass).iter().map(storage));
+    make_pipeline(gpu, pass.name(), &program(pass, &plan.model), workgroup(pass), &kinds)
+}
+
+/// Pipeline of a complete program whose bindings 0, 1, 2 ... are buffers of these kinds.
+fn make_pipeline(
+    gpu: &Gpu,
+    label: &str,
+    wgsl: &str,
+    workgroup: u32,
+    kinds: &[wgpu::BufferBindingType],
+) -> Result<(wgpu::BindGroupLayout, wgpu::ComputePipeline), GpuError> {
+    let module = gpu.module(label, wgsl, workgroup)?;
+    let label = Some(label);
+    let entry = |(binding, &ty): (usize, &wgpu::BufferBindingType)| wgpu::BindGroupLayoutEntry {
         binding: binding as u32,
         visibility: wgpu::ShaderStages::COMPUTE,
         ty: wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None },
         count: None,
     };
-    let mut entries = vec![entry(0, wgpu::BufferBindingType::Uniform)];
-    for (i, (_, access)) in arrays(pass).iter().enumerate() {
-        entries.push(entry(i + 1, wgpu::BufferBindingType::Storage { read_only: *access == Access::Read }));
-    }
+    let entries: Vec<_> = kinds.iter().enumerate().map(entry).collect();
     let layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label, entries: &entries });
     let pipeline_layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label,
@@ -89,6 +125,7 @@ fn pipeline(gpu: &Gpu, pass: Pass, plan: &Plan) -> Result<(wgpu::BindGroupLayout
     Ok((layout, pipeline))
 }
 
+/// The arrays of a pass when state `old` is the old one.
 fn bind(
     gpu: &Gpu,
     pass: Pass,
@@ -97,11 +134,16 @@ fn bind(
     old: usize,
     gather: [Array; 2],
 ) -> wgpu::BindGroup {
-    let mut entries = vec![wgpu::BindGroupEntry { binding: 0, resource: buffers.parameters.as_entire_binding() }];
-    for (i, (array, _)) in arrays(pass).iter().enumerate() {
-        let resource = buffers.array(*array, old, gather).as_entire_binding();
-        entries.push(wgpu::BindGroupEntry { binding: i as u32 + 1, resource });
-    }
-    let label = Some(pass.name());
-    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label, layout, entries: &entries })
+    let mut bound = vec![&buffers.parameters];
+    bound.extend(arrays(pass).iter().map(|(array, _)| buffers.array(*array, old, gather)));
+    bind_group(gpu, pass.name(), layout, &bound)
+}
+
+fn bind_group(gpu: &Gpu, label: &str, layout: &wgpu::BindGroupLayout, buffers: &[&wgpu::Buffer]) -> wgpu::BindGroup {
+    let entries: Vec<_> = buffers
+        .iter()
+        .enumerate()
+        .map(|(i, buffer)| wgpu::BindGroupEntry { binding: i as u32, resource: buffer.as_entire_binding() })
+        .collect();
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some(label), layout, entries: &entries })
 }

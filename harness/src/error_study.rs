@@ -73,7 +73,7 @@ struct Ladder {
     seconds: f64,
 }
 
-const FULL: Ladder = Ladder { spacings: [0.04, 0.02, 0.01], courant: [0.4, 0.2], seconds: 2.0 };
+const FULL: Ladder = Ladder { spacings: [0.025, 0.0125, 0.00625], courant: [0.4, 0.2], seconds: 2.0 };
 const QUICK: Ladder = Ladder { spacings: [0.05, 0.025, 0.0125], courant: [0.4, 0.2], seconds: 1.0 };
 
 /// The profile is the mean over the second half of a run, so many steps apart: the column is let go at its rest density
@@ -116,7 +116,7 @@ pub fn study(quick: bool, pool: &Pool, folder: Option<&Path>) -> Result<Study, F
         scene.particle_spacing = spacing;
         scene.time_step = courant * spacing / scene.fluid.speed_of_sound;
         scene.model.equation_of_state = equation_of_state;
-        let label = format!("{equation_of_state:?} {} mm, C {courant}", f64::from((spacing * 1e4).round()) / 10.0);
+        let label = format!("{equation_of_state:?}, {spacing} m, C {courant}");
         let mut run = Run {
             label,
             choice: BTreeMap::from([
@@ -226,7 +226,10 @@ fn plot(study: &Study, path: &Path) -> Result<(), Failure> {
         .iter()
         .filter_map(|run| {
             let on_front = study.pareto.contains(&run.label);
-            run.error.map(|y| Mark { label: run.label.clone(), x: run.wall_s, y, on_front })
+            let choice = |key: &str| run.choice.get(key).cloned().unwrap_or_default();
+            let series = format!("{}, C {}", choice("equation_of_state"), choice("courant_number"));
+            let label = format!("{} m", choice("particle_spacing"));
+            run.error.map(|y| Mark { series, label, x: run.wall_s, y, on_front })
         })
         .collect();
     let axes = ["wall time per simulated second, s", "L2 error of pressure / floor pressure"];

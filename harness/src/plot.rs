@@ -6,7 +6,9 @@ use std::path::Path;
 /// A run in a plot.
 #[derive(Clone, Debug)]
 pub struct Mark {
-    /// Its name.
+    /// The row that it belongs to: one colour, one line of the legend.
+    pub series: String,
+    /// What tells it from the others of its series.
     pub label: String,
     /// Run time.
     pub x: f64,
@@ -17,8 +19,16 @@ pub struct Mark {
 }
 
 const SIZE: (u32, u32) = (900, 600);
-const FRONT: RGBColor = RGBColor(13, 90, 160);
-const BEHIND: RGBColor = RGBColor(150, 160, 170);
+const FRONT: RGBColor = RGBColor(60, 70, 80);
+/// Okabe and Ito's colours, which most colour-blind readers can tell apart.
+const SERIES: [RGBColor; 6] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
+];
 
 /// Draws marks in double logarithmic axes, the front joined by a line.
 ///
@@ -57,13 +67,35 @@ fn draw(
         .draw()?;
     let mut front: Vec<&Mark> = marks.iter().filter(|m| m.on_front).collect();
     front.sort_by(|a, b| a.x.total_cmp(&b.x));
-    chart.draw_series(LineSeries::new(front.iter().map(|m| (m.x, m.y)), FRONT.stroke_width(2)))?;
-    for mark in marks {
-        let colour = if mark.on_front { FRONT } else { BEHIND };
-        chart.draw_series([Circle::new((mark.x, mark.y), 5, colour.filled())])?;
-        let style = ("sans-serif", 12).into_font().color(&colour);
-        let text = EmptyElement::at((mark.x, mark.y)) + Text::new(mark.label.clone(), (8, -6), style);
-        chart.draw_series([text])?;
+    let line = LineSeries::new(front.iter().map(|m| (m.x, m.y)), FRONT.stroke_width(1));
+    let key = |(x, y)| PathElement::new([(x, y), (x + 16, y)], FRONT.stroke_width(1));
+    chart.draw_series(line)?.label("not beaten in both").legend(key);
+    let mut series: Vec<&str> = marks.iter().map(|m| m.series.as_str()).collect();
+    series.sort_unstable();
+    series.dedup();
+    for (name, colour) in series.into_iter().zip(SERIES.into_iter().cycle()) {
+        let own = marks.iter().filter(|m| m.series == name);
+        let dots = own.map(|m| Circle::new((m.x, m.y), if m.on_front { 6 } else { 4 }, colour.filled()));
+        let key = move |(x, y)| Circle::new((x + 8, y), 5, colour.filled());
+        chart.draw_series(dots)?.label(name).legend(key);
     }
+    // runs of one label lie together: it is written once, at the first of them
+    let mut labels: Vec<&str> = marks.iter().map(|m| m.label.as_str()).collect();
+    labels.sort_unstable();
+    labels.dedup();
+    for label in labels {
+        let first = marks.iter().filter(|m| m.label == label).min_by(|a, b| a.x.total_cmp(&b.x));
+        let text =
+            first.map(|m| EmptyElement::at((m.x, m.y)) + Text::new(label.to_owned(), (-18, -24), ("sans-serif", 14)));
+        chart.draw_series(text)?;
+    }
+    chart
+        .configure_series_labels()
+        .background_style(WHITE)
+        .border_style(FRONT)
+        .label_font(("sans-serif", 14))
+        .position(SeriesLabelPosition::LowerLeft)
+        .margin(12)
+        .draw()?;
     area.present()
 }

@@ -40,6 +40,11 @@ macro_rules! shared {
                 $("  ", stringify!($field), ": ", stringify!($type), ",\n",)*
                 "}\n"
             );
+
+            /// Name, offset and size of each field in Rust, for whoever compares.
+            pub const FIELDS: &[(&str, usize, usize)] = &[
+                $((stringify!($field), core::mem::offset_of!($name, $field), size_of::<$type>()),)*
+            ];
         }
     };
 }

@@ -1,7 +1,7 @@
 //! What makes a scene impossible, said before anything is touched.
 use super::{Dimension, GridStructure, Scene, lattice};
 use crate::error::SceneError;
-use crate::guided::{particle_mass, support_radius};
+use crate::guided::{parameters, support_radius};
 
 /// Most particles of a scene: an id shares a word with an axis or a quantity in an error report.
 const MOST_PARTICLES: u64 = 1 << 30;
@@ -28,7 +28,13 @@ impl Scene {
         }
         // what follows from the fields must be a number too
         positive("particle_spacing", support_radius(self) as f32)?;
-        positive("fluid.rest_density", particle_mass(self) as f32)
+        let derived = parameters(self);
+        positive("fluid.rest_density", derived.particle_mass)?;
+        positive("fluid.speed_of_sound", derived.state_stiffness)?;
+        finite("fluid.near_stiffness", &[derived.near_stiffness])?;
+        let constants = [derived.density_constant, derived.pressure_constant, derived.near_constant];
+        constants.iter().try_for_each(|constant| positive("particle_spacing", *constant))?;
+        positive("particle_spacing", derived.viscosity_constant)
     }
 
     fn check_fluid(&self) -> Result<(), SceneError> {

@@ -1,0 +1,88 @@
+//! Does a device compute the words of the terms as core does? Tried out on every device that is opened in strict mode:
+//! only where every word gives core's bits can a step.
+use crate::buffers::{Maker, read};
+use crate::device::Gpu;
+use crate::error::GpuError;
+use crate::pipelines::dispatch_once;
+use millpond_core::arithmetic::real::{abs, div, flush, larger, less, root, select, smaller};
+use millpond_core::layout::{WORKGROUP, f32x4};
+
+/// A word, or a spelling that drivers like to rewrite.
+struct Word {
+    name: &'static str,
+    /// In WGSL, of `v.x`, `v.y`, `v.z`; results are compared as bits.
+    wgsl: &'static str,
+    rust: fn(f32x4) -> f32,
+}
+
+/// All of them. `v.w` is positive.
+const WORDS: &[Word] = &[
+    Word { name: "div", wgsl: "div(v.x, v.w)", rust: |v| div(v[0], v[3]) },
+    Word { name: "root", wgsl: "root(v.w)", rust: |v| root(v[3]) },
+    Word { name: "abs", wgsl: "abs(v.x)", rust: |v| abs(v[0]) },
+    Word { name: "larger", wgsl: "larger(v.x, v.y)", rust: |v| larger(v[0], v[1]) },
+    Word { name: "smaller", wgsl: "smaller(v.x, v.y)", rust: |v| smaller(v[0], v[1]) },
+    Word { name: "select", wgsl: "select(v.x, v.y, less(v.z, v.x))", rust: |v| select(v[0], v[1], less(v[2], v[0])) },
+    Word { name: "flush", wgsl: "flush(v.x * 1.0e-38f)", rust: |v| flush(v[0] * 1.0e-38) },
+    Word { name: "product into sum", wgsl: "v.x * v.y + v.z", rust: |v| v[0] * v[1] + v[2] },
+    // written (x + y) * z by the optimisers of two drivers, unless they are told not to
+    Word { name: "common factor", wgsl: "v.x * v.z + v.y * v.z", rust: |v| v[0] * v[2] + v[1] * v[2] },
+    Word { name: "constant chain", wgsl: "(v.x * 0.1f) * 0.3f", rust: |v| (v[0] * 0.1) * 0.3 },
+];
+
+/// Inputs tried: enough that a rewriting that touches one result in a thousand is seen.
+const INPUTS: usize = 1 << 14;
+
+/// What was found of a word.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WordReport {
+    /// Which.
+    pub word: &'static str,
+    /// Inputs tried.
+    pub tried: usize,
+    /// Of these, those whose result has other bits than core's.
+    pub differing: usize,
+}
+
+/// Tries every word on a device.
+///
+/// # Errors
+/// The device failed, or refused the program.
+pub fn try_words(gpu: &Gpu) -> Result<Vec<WordReport>, GpuError> {
+    let inputs = inputs();
+    let results = WORDS.len() * INPUTS;
+    let storage = Maker::storage(gpu);
+    let from = storage.filled("words in", &inputs)?;
+    let to = storage.room("words out", results * size_of::<u32>())?;
+    dispatch_once(gpu, "millpond.words", &program(), [&from, &to], INPUTS.div_ceil(WORKGROUP as usize) as u32)?;
+    let got: Vec<u32> = read(gpu, &to, results)?;
+    let report = |(i, word): (usize, &Word)| {
+        let differs = |(input, result): (&f32x4, &[u32])| (word.rust)(*input).to_bits() != result[i];
+        let differing = inputs.iter().zip(got.chunks(WORDS.len())).filter(|pair| differs(*pair)).count();
+        WordReport { word: word.name, tried: INPUTS, differing }
+    };
+    Ok(WORDS.iter().enumerate().map(report).collect())
+}
+
+/// Numbers of both signs around 1, the last of the four positive.
+fn inputs() -> Vec<f32x4> {
+    let mut seed = 1u32;
+    let mut random = || {
+        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        // 24 random bits, never 0
+        ((seed >> 8) as f32 + 0.5) / (1u32 << 22) as f32
+    };
+    (0..INPUTS).map(|_| [random() - 2.0, random() - 2.0, random() - 2.0, random()]).collect()
+}
+
+fn program() -> String {
+    let mut out = include_str!("shaders/prelude.wgsl").to_owned();
+    out += "@group(0) @binding(0) var<storage, read> words_in: array<f32x4>;\n";
+    out += "@group(0) @binding(1) var<storage, read_write> words_out: array<u32>;\n";
+    out += &format!("@compute @workgroup_size({WORKGROUP}) fn main(@builtin(global_invocation_id) g: vec3<u32>) {{\n");
+    out += "  let v = words_in[g.x];\n";
+    for (i, word) in WORDS.iter().enumerate() {
+        out += &format!("  words_out[g.x * {}u + {i}u] = bitcast<u32>({});\n", WORDS.len(), word.wgsl);
+    }
+    out + "}\n"
+}

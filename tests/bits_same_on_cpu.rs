@@ -1,0 +1,77 @@
+//! Promise: the same scene gives the same bits on the scalar path, at every SIMD level, on 1, 2 and 3 threads, with both
+//! grid structures and other grid sizes, however long the neighbour lists are, for 500 steps.
+//!
+//! The hash after every step is compared, so a failure names the first step that differs.
+use millpond::memory::Heap;
+use millpond::pool::Pool;
+use millpond_core::scene::{GridStructure, Scene};
+use millpond_core::{Plan, Simd, Solver};
+
+mod support;
+
+fn hashes(scene: &Scene, plan: Plan, simd: Simd, threads: usize, list: bool, steps: usize) -> Vec<u64> {
+    let mut heap = Heap::of(scene);
+    let mut memory = heap.lend();
+    if !list {
+        memory.scratch.list = &mut [];
+    }
+    let places = millpond_core::scene::places(scene);
+    let solver = Solver::with_particles(scene, plan, scene.particle_count(), places, memory).expect("a scene");
+    let mut solver = solver.at_level(simd);
+    let pool = Pool::new(threads).expect("threads");
+    (0..steps)
+        .map(|_| {
+            solver.step(&pool).expect("a step");
+            solver.hash()
+        })
+        .collect()
+}
+
+/// Asserts equality and names the first step that differs.
+fn same(what: &str, want: &[u64], got: &[u64]) {
+    let first = want.iter().zip(got).position(|(a, b)| a != b);
+    assert_eq!((first.map(|i| i + 1), want.len()), (None, got.len()), "first differing step of: {what}");
+}
+
+fn check(scene: &Scene, steps: usize) {
+    let plan = Plan::of(scene);
+    let want = hashes(scene, plan, Simd::Scalar, 1, true, steps);
+    assert_ne!(want[0], want[steps - 1], "a fluid that does not move tests nothing");
+    same("lanes, base", &want, &hashes(scene, plan, Simd::Base, 1, true, steps));
+    same("lanes, best", &want, &hashes(scene, plan, Simd::detect(), 1, true, steps));
+    same("lanes, 2 threads", &want, &hashes(scene, plan, Simd::detect(), 2, true, steps));
+    same("lanes, 3 threads", &want, &hashes(scene, plan, Simd::detect(), 3, true, steps));
+    same("no neighbour lists", &want, &hashes(scene, plan, Simd::detect(), 1, false, steps));
+    let mut other = scene.clone();
+    other.grid.structure = GridStructure::CellLists { places: 64 };
+    same("cell lists", &want, &hashes(&other, Plan::of(&other), Simd::detect(), 2, true, steps));
+    other.grid.structure = GridStructure::IndexSort;
+    other.grid.cells = other.grid.cells.map(|n| if n == 1 { 1 } else { 5 });
+    same("a grid that wraps", &want, &hashes(&other, plan, Simd::detect(), 2, true, steps));
+}
+
+#[test]
+fn for_500_steps_of_a_dam_break() {
+    check(&support::scaled("dam-break", 3000).file.scene, 500);
+}
+
+#[test]
+fn for_500_steps_of_the_thesis_cube() {
+    check(&support::scaled("thesis-cube", 1000).file.scene, 500);
+}
+
+#[test]
+fn for_500_steps_in_the_plane() {
+    check(&support::scaled("dam-break-2d", 800).file.scene, 500);
+}
+
+#[test]
+fn with_every_term_that_the_plan_leaves_out() {
+    for name in ["dam-break", "thesis-cube", "dam-break-2d"] {
+        let scene = support::scaled(name, 1000).file.scene;
+        let [plan, everything] = [Plan::of(&scene), Plan::everything(&scene)];
+        assert_ne!(plan, everything, "{name} leaves something out");
+        let want = hashes(&scene, plan, Simd::detect(), 1, true, 100);
+        same(name, &want, &hashes(&scene, everything, Simd::detect(), 1, true, 100));
+    }
+}

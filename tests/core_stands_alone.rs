@@ -1,0 +1,67 @@
+//! Promise: core needs neither the standard library nor an allocator, and gives the same bits without them.
+//!
+//! `tests/bare` is a `#![no_std] #![no_main]` program that owns a `static` Storage and steps it. If anything it links
+//! pulled in std, the link would fail with a second panic handler; if anything allocated, for want of an allocator. Its
+//! symbols are looked at too, and its size: static memory must lie in .bss.
+use millpond::memory::Heap;
+use millpond_core::scene::{Block, Container, Dimension, Fluid, Grid, ModelChoice, Reflection, Scene};
+use millpond_core::{Serial, Solver, Storage};
+use object::{Object as _, ObjectSymbol as _};
+use std::path::Path;
+use std::process::Command;
+
+/// What `tests/bare` steps.
+fn scene() -> Scene {
+    let block = Block { corner: [0.0; 3], size: [0.5; 3], velocity: [0.0; 3], jitter: 0.02 };
+    let (low, high) = ([0.0; 3], [1.0, 1.0, 0.5]);
+    let reflection = Reflection::EnergyConserving;
+    let container = Container { low, high, bounce: 0.5, slip: 0.9, reflection, open: Default::default() };
+    Scene {
+        dimension: Dimension::Three,
+        particle_spacing: 0.05,
+        average_neighbours: 32.0,
+        time_step: 0.001,
+        gravity: [0.0, -9.81, 0.0],
+        fluid: Fluid { rest_density: 1000.0, speed_of_sound: 20.0, dynamic_viscosity: 2.0, near_stiffness: None },
+        blocks: [block].into_iter().collect(),
+        container: Some(container),
+        model: ModelChoice::default(),
+        grid: Grid { cells: [8, 8, 8], ..Grid::default() },
+    }
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_program_without_std_and_allocator_steps_the_same_bits() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let target = root.join("target/bare");
+    let built = Command::new(env!("CARGO"))
+        .args(["build", "--release", "--locked", "--manifest-path"])
+        .arg(root.join("tests/bare/Cargo.toml"))
+        .arg("--target-dir")
+        .arg(&target)
+        .output()
+        .expect("cargo runs");
+    assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+    let program = target.join("release/millpond-bare");
+
+    let ran = Command::new(&program).output().expect("it runs");
+    let mut heap = Heap::of(&scene());
+    let mut solver = Solver::new(&scene(), heap.lend()).expect("a scene");
+    (0..200).for_each(|_| solver.step(&Serial).expect("a step"));
+    assert_eq!(String::from_utf8_lossy(&ran.stdout), format!("{:016x}", solver.hash()));
+    assert_eq!(ran.status.code(), Some(0));
+
+    let bytes = std::fs::read(&program).expect("a program");
+    let file = object::File::parse(&*bytes).expect("an object file");
+    let names: Vec<&str> = file.symbols().chain(file.dynamic_symbols()).filter_map(|s| s.name().ok()).collect();
+    assert!(names.iter().any(|name| name.contains("millpond_core")), "symbols were read");
+    for name in names {
+        let base = name.split('@').next().unwrap_or_default();
+        let allocates = ["malloc", "calloc", "realloc", "posix_memalign", "aligned_alloc"].contains(&base);
+        assert!(!allocates && !name.contains("__rust_alloc") && !name.contains("__rdl_alloc"), "{name}");
+        assert!(!name.contains("3std"), "{name} is std's");
+    }
+    let storage = size_of::<Storage<1000, 512>>();
+    assert!(storage > 200_000 && bytes.len() < storage, "{} bytes of program, {storage} of memory", bytes.len());
+}

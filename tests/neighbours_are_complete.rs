@@ -1,0 +1,91 @@
+//! Promise: the grid finds exactly the pairs that brute force finds, whatever the cloud, the structure and the wrapping.
+use millpond_core::guided::parameters;
+use millpond_core::scene::{Dimension, GridStructure, Scene};
+
+mod support;
+use support::{Random, at_rest, heap_for};
+
+/// Every pair inside each other's support, by looking at all of them with the solver's own distance.
+fn brute_force(scene: &Scene, points: &[[f32; 3]]) -> Vec<(u32, u32)> {
+    let scale = parameters(scene).inverse_support_squared;
+    let mut pairs = Vec::new();
+    for (i, a) in points.iter().enumerate() {
+        for (j, b) in points.iter().enumerate() {
+            let [x, y, z] = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+            if (x * x + y * y + z * z) * scale < 1.0 {
+                pairs.push((i as u32, j as u32));
+            }
+        }
+    }
+    pairs
+}
+
+/// Pairs by the grid, sorted; a pair met twice stays twice.
+fn by_grid(scene: &Scene, points: &[[f32; 3]]) -> Vec<(u32, u32)> {
+    let mut heap = heap_for(scene, points.len());
+    let mut pairs = Vec::new();
+    at_rest(scene, points, &mut heap).each_pair(|a, b| pairs.push((a, b)));
+    pairs.sort_unstable();
+    pairs
+}
+
+fn check(name: &str, dimension: Dimension, points: &[[f32; 3]]) {
+    let mut scene = support::scene("thesis-cube", &[]).file.scene;
+    scene.dimension = dimension;
+    for cells in [[3, 3, 3], [4, 3, 5], [32, 32, 32]] {
+        let layers = if dimension == Dimension::Two { 1 } else { cells[2] };
+        scene.grid.cells = [cells[0], cells[1], layers];
+        for structure in [GridStructure::IndexSort, GridStructure::CellLists { places: 512 }] {
+            scene.grid.structure = structure;
+            let (want, got) = (brute_force(&scene, points), by_grid(&scene, points));
+            assert!(want.len() > points.len(), "{name}: a cloud without neighbours tests nothing");
+            assert_eq!(want, got, "{name}, {dimension:?}, cells {cells:?}, {structure:?}");
+        }
+    }
+}
+
+fn cloud(seed: u64, count: usize, dimension: Dimension, centre: f32, size: f32) -> Vec<[f32; 3]> {
+    let mut random = Random(seed);
+    let mut at = || centre + (random.unit() - 0.5) * size;
+    (0..count).map(|_| [at(), at(), if dimension == Dimension::Two { 0.0 } else { at() }]).collect()
+}
+
+#[test]
+fn in_random_clouds_with_negative_coordinates() {
+    for (seed, dimension) in [(1, Dimension::Two), (2, Dimension::Three)] {
+        check("around the origin", dimension, &cloud(seed, 400, dimension, 0.0, 0.8));
+        check("far below it", dimension, &cloud(seed, 400, dimension, -37.0, 0.8));
+    }
+}
+
+#[test]
+fn in_clouds_that_wrap_onto_each_other() {
+    for dimension in [Dimension::Two, Dimension::Three] {
+        // 32 cells are 2.98 m: two clouds that far apart share all their cells, on every grid tried here
+        let mut points = cloud(3, 200, dimension, 0.0, 0.6);
+        let cell = 1.0 / parameters(&support::scene("thesis-cube", &[]).file.scene).inverse_cell;
+        points.extend(cloud(3, 200, dimension, 0.0, 0.6).iter().map(|p| [p[0] + 960.0 * cell, p[1], p[2]]));
+        check("two clouds in the same cells", dimension, &points);
+    }
+}
+
+#[test]
+fn for_points_exactly_on_cell_faces() {
+    let scene = support::scene("thesis-cube", &[]).file.scene;
+    let cell = 1.0 / parameters(&scene).inverse_cell;
+    for dimension in [Dimension::Two, Dimension::Three] {
+        // half a cell apart, on faces, edges and corners, and one ULP beside them
+        let layers = if dimension == Dimension::Two { 0..=0 } else { -3..=3 };
+        let mut points = Vec::new();
+        for z in layers {
+            for y in -3..=3 {
+                for x in -3..=3 {
+                    let at = |i: i32| i as f32 * 0.5 * cell;
+                    points.push([at(x), at(y), at(z)]);
+                    points.push([at(x).next_down(), at(y), at(z)]);
+                }
+            }
+        }
+        check("points on faces", dimension, &points);
+    }
+}

@@ -1,0 +1,165 @@
+//! Promise: every error is a typed value that names what went wrong, the same on both backends, and leaves the state hash
+//! as it was.
+use millpond::fluid::Snapshot;
+use millpond::memory::Heap;
+use millpond_core::error::Quantity;
+use millpond_core::scene::{GridStructure, Place, Scene};
+use millpond_core::{Needs, Plan, SceneError, Serial, Solver, StepError};
+use millpond_gpu::{GpuError, GpuSolver, Mode};
+
+mod support;
+use support::{device, heap_for};
+
+/// Particles of the thesis cube's fluid at these places.
+fn places(at: &[([f32; 3], [f32; 3])]) -> Vec<Place> {
+    at.iter().map(|&(position, velocity)| Place { position, velocity }).collect()
+}
+
+/// Steps both backends until they refuse; asserts that they do so with `error`, after `steps` good steps, keeping the state.
+fn refuses(test: &str, scene: &Scene, places: &[Place], steps: u64, error: StepError) {
+    let mut heap = heap_for(scene, places.len());
+    let start = Solver::with_particles(scene, Plan::of(scene), places.len(), places.iter().copied(), heap.lend());
+    let mut solver = start.expect("a scene that starts");
+    let on_device =
+        device(test, Mode::Strict).map(|gpu| GpuSolver::new(&gpu, &solver).expect("a device that takes it"));
+
+    (0..steps).for_each(|_| solver.step(&Serial).expect("a good step"));
+    let before = solver.hash();
+    // a second try is refused the same way
+    for _ in 0..2 {
+        assert_eq!(solver.step(&Serial), Err(error), "{test}");
+        assert_eq!((solver.hash(), solver.steps()), (before, steps), "{test}");
+    }
+    if let Some(mut fluid) = on_device {
+        for _ in 0..2 {
+            // many more steps are recorded than can be made
+            let refused = fluid.step(20);
+            assert!(matches!(refused, Err(GpuError::Step(e)) if e == error), "{test}: {refused:?}");
+            let state = Snapshot::of_gpu(&fluid).expect("a state");
+            assert_eq!((state.hash(), fluid.steps()), (before, steps), "{test}, on the device");
+        }
+    }
+}
+
+#[test]
+fn a_particle_beyond_the_grids_range() {
+    let scene = support::scene("thesis-cube", &[]).file.scene;
+    // at 1e8 m/s for 1 ms a step the third step passes 2^22 cells of 0.0931 m, or 390 km, for particles 2 and 3
+    let places = places(&[
+        ([0.0; 3], [0.0; 3]),
+        ([1.0, 0.0, 0.0], [0.0, -1e8, 0.0]),
+        ([2.0, 0.0, 0.0], [0.0, 1.9e8, 0.0]),
+        ([3.0, 0.0, 0.0], [0.0, 1.93e8, 1.93e8]),
+    ]);
+    let error = StepError::OutOfRange { particle: 2, axis: 1, step: 3 };
+    refuses("out of range", &scene, &places, 2, error);
+}
+
+#[test]
+fn a_cell_with_more_particles_than_places() {
+    let mut scene = support::scene("thesis-cube", &["near_pressure=false"]).file.scene;
+    scene.grid.structure = GridStructure::CellLists { places: 3 };
+    // three rest in cell (0, 0, 0) of 32 x 32 x 32, a fourth flies in from above: at 0.02 m a step it enters at the 5th
+    let mut at = vec![([0.01, 0.01, 0.01], [0.0; 3]), ([0.05, 0.01, 0.05], [0.0; 3]), ([0.01, 0.01, 0.08], [0.0; 3])];
+    at.push(([0.05, 0.185, 0.05], [0.0, -20.0, 0.0]));
+    let mut heap = heap_for(&scene, 4);
+    let plan = Plan::of(&scene);
+    let mut solver = Solver::with_particles(&scene, plan, 4, places(&at), heap.lend()).expect("it starts");
+    let mut good = 0;
+    while solver.step(&Serial).is_ok() {
+        good += 1;
+        assert!(good < 10, "the fourth particle never arrives");
+    }
+    assert!(good > 0, "it must fail in flight, not at the start");
+    let error = StepError::CellFull { cell: 0, count: 4, capacity: 3, step: good + 1 };
+    refuses("cell full", &scene, &places(&at), good, error);
+}
+
+#[test]
+fn a_quantity_that_is_not_finite_any_more() {
+    // so stiff a fluid that the first pair to meet overflows; apart, nothing acts. Both overflow: the smaller id is named
+    let set = ["speed_of_sound=1e18", "near_pressure=false", "pressure_kernel=CubicSpline"];
+    let scene = support::scene("thesis-cube", &set).file.scene;
+    let places = places(&[([0.0; 3], [0.0; 3]), ([5.0, 0.0, 0.0], [0.0; 3]), ([5.1, 0.0, 0.0], [-50.0, 0.0, 0.0])]);
+    let error = StepError::NotFinite { particle: 1, quantity: Quantity::Velocity, step: 1 };
+    refuses("not finite", &scene, &places, 0, error);
+}
+
+#[test]
+fn a_scene_that_cannot_start() {
+    let scene = support::scene("thesis-cube", &[]).file.scene;
+    for bad in [f32::NAN, f32::INFINITY, 1e30] {
+        let mut heap = heap_for(&scene, 2);
+        let at = places(&[([0.0; 3], [0.0; 3]), ([0.0, bad, 0.0], [0.0; 3])]);
+        let start = Solver::with_particles(&scene, Plan::of(&scene), 2, at, heap.lend());
+        let error = StepError::OutOfRange { particle: 1, axis: 1, step: 1 };
+        assert_eq!(start.err(), Some(SceneError::FirstStep(error)));
+    }
+}
+
+#[test]
+fn memory_that_is_too_small() {
+    let scene = support::scene("thesis-cube", &[]).file.scene;
+    let needs = Needs::of(&scene);
+    let cases = [
+        (Needs { particles: 4095, ..needs }, "particles", 4096, 4095),
+        (Needs { cells: 32_767, ..needs }, "cells", 32_768, 32_767),
+    ];
+    for (lent, what, needed, capacity) in cases {
+        let mut heap = Heap::with(lent);
+        let refused = Solver::new(&scene, heap.lend()).err();
+        assert_eq!(refused, Some(SceneError::CapacityExceeded { what, needed, capacity }));
+    }
+    let mut lists = scene.clone();
+    lists.grid.structure = GridStructure::CellLists { places: 8 };
+    let mut heap = Heap::of(&scene);
+    let refused = Solver::new(&lists, heap.lend()).err();
+    let needed = 8 * 32_768;
+    assert_eq!(refused, Some(SceneError::CapacityExceeded { what: "places of cells", needed, capacity: 0 }));
+}
+
+#[test]
+fn scenes_that_cannot_be() {
+    let base = support::scene("dam-break", &[]).file.scene;
+    let refused = |change: &dyn Fn(&mut Scene)| {
+        let mut scene = base.clone();
+        change(&mut scene);
+        scene.check().expect_err("a scene that cannot be")
+    };
+    let field = |error: SceneError| match error {
+        SceneError::NotFinite { field, .. }
+        | SceneError::NotPositive { field, .. }
+        | SceneError::Negative { field, .. }
+        | SceneError::NotAShare { field, .. } => field,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(field(refused(&|s| s.particle_spacing = 0.0)), "particle_spacing");
+    assert_eq!(field(refused(&|s| s.average_neighbours = -1.0)), "average_neighbours");
+    assert_eq!(field(refused(&|s| s.time_step = f32::NAN)), "time_step");
+    assert_eq!(field(refused(&|s| s.gravity[1] = f32::NAN)), "gravity");
+    assert_eq!(field(refused(&|s| s.fluid.rest_density = -1000.0)), "fluid.rest_density");
+    assert_eq!(field(refused(&|s| s.fluid.speed_of_sound = 1e30)), "fluid.speed_of_sound");
+    assert_eq!(field(refused(&|s| s.fluid.dynamic_viscosity = -1.0)), "fluid.dynamic_viscosity");
+    assert_eq!(field(refused(&|s| s.fluid.near_stiffness = Some(-1.0))), "fluid.near_stiffness");
+    assert_eq!(field(refused(&|s| s.blocks[0].size[0] = 0.0)), "blocks.size");
+    assert_eq!(field(refused(&|s| s.blocks[0].corner[2] = f32::INFINITY)), "blocks.corner");
+    assert_eq!(field(refused(&|s| s.container.as_mut().expect("a box").bounce = 1.5)), "container.bounce");
+    assert_eq!(field(refused(&|s| s.container.as_mut().expect("a box").slip = -0.1)), "container.slip");
+    // lengths whose fourth power is no f32
+    let tiny = refused(&|s| (s.particle_spacing, s.blocks[0].size) = (1e-12, [1e-12; 3]));
+    assert_eq!(field(tiny), "particle_spacing");
+    let error = refused(&|s| s.container.as_mut().expect("a box").high[1] = 0.0);
+    assert_eq!(error, SceneError::EmptyContainer { axis: 1, low: 0.0, high: 0.0 });
+    assert_eq!(refused(&|s| s.grid.cells[2] = 2), SceneError::TooFewCells { axis: 2, cells: 2, layer: false });
+    let error = refused(&|s| s.grid.cells = [4096, 4096, 4096]);
+    assert_eq!(error, SceneError::TooManyCells { cells: [4096; 3], places: 1 });
+    let error = refused(&|s| s.grid.structure = GridStructure::CellLists { places: 0 });
+    assert_eq!(field(error), "grid.structure.places");
+    assert!(matches!(refused(&|s| s.blocks[0].size = [1e3; 3]), SceneError::TooManyParticles { .. }));
+
+    let mut flat = support::scene("dam-break-2d", &[]).file.scene;
+    flat.gravity[2] = 1.0;
+    assert_eq!(flat.check(), Err(SceneError::OutOfPlane));
+    flat.grid.cells[2] = 3;
+    assert_eq!(flat.check(), Err(SceneError::TooFewCells { axis: 2, cells: 3, layer: true }));
+}
