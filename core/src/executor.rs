@@ -67,6 +67,7 @@ pub(crate) fn shares(count: usize, parts: usize) -> impl Iterator<Item = Range<u
 }
 
 /// The first `count` items of what is left to hand out; empty where there are not so many, which no caller asks for.
+#[expect(clippy::mut_mut, reason = "what is left is handed on, shorter")]
 pub(crate) fn take<'a, T>(rest: &mut &'a mut [T], count: usize) -> &'a mut [T] {
     rest.split_off_mut(..count).unwrap_or_default()
 }

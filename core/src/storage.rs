@@ -119,7 +119,6 @@ pub struct CellPlaces<const CELLS: usize, const PLACES: usize> {
 impl<const N: usize, const CELLS: usize> Storage<N, CELLS> {
     /// All zero.
     #[must_use]
-    #[expect(clippy::large_stack_arrays, reason = "const: meant for a static, where it never meets the stack")]
     pub const fn new() -> Self {
         Storage {
             vectors: [[[[0.0; 4]; N]; 4]; 2],
@@ -175,7 +174,6 @@ impl<const N: usize, const CELLS: usize> Default for Storage<N, CELLS> {
 impl<const CELLS: usize, const PLACES: usize> CellPlaces<CELLS, PLACES> {
     /// All zero.
     #[must_use]
-    #[expect(clippy::large_stack_arrays, reason = "const: meant for a static, where it never meets the stack")]
     pub const fn new() -> Self {
         CellPlaces { places: [[0; PLACES]; CELLS] }
     }

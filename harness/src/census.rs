@@ -5,7 +5,7 @@ use crate::memory::Heap;
 use millpond_core::layout::f32x4;
 use millpond_core::report::DensityError;
 use millpond_core::scene::{Place, Scene};
-use millpond_core::{Needs, Plan, SceneError, Solver};
+use millpond_core::{Needs, Plan, Solver};
 use serde::Serialize;
 
 /// A state in a few numbers.
@@ -54,10 +54,7 @@ pub fn census(scene: &Scene, state: &Snapshot) -> Result<Census, Failure> {
     let places = state.position.iter().zip(&state.velocity);
     let places = places.map(|(x, v)| Place { position: vector(*x), velocity: vector(*v) });
     let solver = Solver::with_particles(scene, Plan::of(scene), count, places, heap.lend());
-    let mut solver = solver.map_err(|error| match error {
-        SceneError::FirstStep(step) => Failure::Step(step),
-        error => Failure::Scene { origin: "census".into(), error },
-    })?;
+    let mut solver = solver.map_err(|error| Failure::Scene { origin: "census".into(), error })?;
     let speed = |v: &f32x4| v[..3].iter().map(|x| f64::from(*x) * f64::from(*x)).sum::<f64>().sqrt();
     Ok(Census {
         average_neighbours: solver.average_neighbours(),

@@ -4,10 +4,10 @@ use crate::failure::Failure;
 use crate::memory::Heap;
 use crate::pool::Pool;
 use crate::scenes::Named;
+use millpond_core::Solver;
 use millpond_core::hash::state_hash;
 use millpond_core::layout::f32x4;
 use millpond_core::scene::Scene;
-use millpond_core::{SceneError, Solver};
 use millpond_gpu::{Gpu, GpuError, GpuSolver, Mode};
 
 /// Set to `1`, it turns a missing GPU into a failure, so that no comparison is skipped unseen.
@@ -134,10 +134,7 @@ impl<'a> Fluid<'a> {
 /// # Errors
 /// A scene that cannot start.
 pub fn start<'a>(name: &str, scene: &Scene, heap: &'a mut Heap) -> Result<Solver<'a>, Failure> {
-    Solver::new(scene, heap.lend()).map_err(|error| match error {
-        SceneError::FirstStep(step) => Failure::Step(step),
-        error => Failure::Scene { origin: name.to_owned(), error },
-    })
+    Solver::new(scene, heap.lend()).map_err(|error| Failure::Scene { origin: name.to_owned(), error })
 }
 
 /// A device in strict mode, or `None` with a line on stderr where there is none.

@@ -7,7 +7,7 @@ use crate::pool::Pool;
 use crate::scenes::{Named, load};
 use crate::timing::{Milliseconds, timed};
 use millpond_core::scene::{GridStructure, Scene, places};
-use millpond_core::{Needs, Plan, SceneError, Solver};
+use millpond_core::{Needs, Plan, Solver};
 use serde::Serialize;
 
 /// Options of `plan`.
@@ -129,10 +129,7 @@ fn time(named: &Named, pool: &Pool, steps: u32) -> Result<PlanTimes, Failure> {
     let mut solvers = Vec::new();
     for (heap, plan) in heaps.iter_mut().zip([Plan::of(scene), Plan::everything(scene)]) {
         let solver = Solver::with_particles(scene, plan, scene.particle_count(), places(scene), heap.lend());
-        solvers.push(solver.map_err(|error| match error {
-            SceneError::FirstStep(step) => Failure::Step(step),
-            error => Failure::Scene { origin: named.name.clone(), error },
-        })?);
+        solvers.push(solver.map_err(|error| Failure::Scene { origin: named.name.clone(), error })?);
     }
     for _ in 0..steps {
         for (solver, times) in solvers.iter_mut().zip(&mut times) {

@@ -1,7 +1,7 @@
 //! Scene files: RON text with unknown fields refused, a few of them built in, every field open to `--set`.
 use crate::failure::Failure;
-use millpond_core::SceneError;
 use millpond_core::scene::{Container, Scene};
+use millpond_core::{Needs, SceneError};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::path::Path;
@@ -63,6 +63,9 @@ macro_rules! built_in {
 /// Name and text of the built-in scenes.
 pub const BUILT_IN: &[(&str, &str)] = built_in!("dam-break", "dam-break-2d", "still-tank", "thesis-cube");
 
+/// Most memory that a scene is given: 4 GiB, 12 million particles. `compare` holds five of them.
+const MOST_BYTES: usize = 1 << 32;
+
 /// What a caller asks of a scene beside its name.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub struct Changes {
@@ -100,6 +103,10 @@ pub fn load(name: &str, changes: &Changes) -> Result<Named, Failure> {
     if let Some(particles) = changes.particles {
         scale(&mut file.scene, particles)?;
         file.scene.check().map_err(refuse)?;
+    }
+    let bytes = Needs::of(&file.scene).bytes();
+    if bytes > MOST_BYTES {
+        return Err(Failure::Call(format!("the scene needs {bytes} bytes, and at most {MOST_BYTES} are given to one")));
     }
     if !(file.duration.is_finite() && file.duration > 0.0) {
         return Err(Failure::Call(format!("duration is {}, and must be larger than 0", file.duration)));

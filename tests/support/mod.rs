@@ -1,5 +1,7 @@
 //! What the tests share: small scenes, random numbers, and a device or a word about its absence.
 #![allow(dead_code, unreachable_pub, reason = "each test uses its part")]
+use std::io::Write as _;
+
 use millpond::memory::Heap;
 use millpond::scenes::{Changes, Named, load};
 use millpond_core::scene::{Place, Scene};
@@ -57,7 +59,6 @@ pub fn device(test: &str, mode: Mode) -> Option<Gpu> {
             let required = std::env::var_os(millpond::fluid::REQUIRE_GPU).is_some_and(|v| v == "1");
             assert!(!required, "{test}: a GPU is required: {error}");
             // past the test runner's capture, so that a skipped test is seen
-            use std::io::Write as _;
             let _ = writeln!(std::io::stderr(), "skipped: {test}: {error}");
             None
         }

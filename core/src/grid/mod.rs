@@ -30,7 +30,10 @@ pub fn cell_index(p: &Parameters, c: [i32; 3]) -> u32 {
     wrap(0) + p.cells[0] * (wrap(1) + p.cells[1] * wrap(2))
 }
 
-/// Cell of a position, or the first axis along which it lies beyond the range.
+/// Cell of a position.
+///
+/// # Errors
+/// The first axis along which it lies beyond the range.
 #[inline]
 pub fn cell_of(p: &Parameters, position: f32x4) -> Result<u32, u32> {
     let mut c = [0; 3];

@@ -8,7 +8,6 @@
 //!
 //! Accelerations are sums of force densities (N/m3) divided by the density of the receiving particle.
 #![allow(clippy::needless_return, reason = "WGSL has no tail expressions")]
-#![allow(clippy::neg_multiply, clippy::must_use_candidate, reason = "formulas, read in two languages")]
 
 pub mod boundary;
 pub mod density;

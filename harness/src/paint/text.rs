@@ -1,4 +1,5 @@
 //! The words of a picture: a font of 5 x 7 dots and tails, the caption and the colour bar.
+#![expect(clippy::unreadable_literal, reason = "a glyph is five columns of two digits each")]
 
 use super::canvas::Canvas;
 use super::colour::{ColourMap, Encoder};

@@ -1,0 +1,168 @@
+//! Promise: the program's contract. Exit status 0, 1, 2 or 3; with `--json` one document on stdout and nothing else; the
+//! keys that other programs rely on; bad input named with file, line and field, and nothing written.
+use serde_json::Value;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn millpond(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_millpond"));
+    command.current_dir(folder).args(arguments).output().expect("it runs")
+}
+
+/// The one JSON document of a call that succeeds.
+fn json(arguments: &[&str]) -> Value {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = millpond(folder.path(), arguments);
+    let (out, err) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {err}");
+    serde_json::from_str(&out).unwrap_or_else(|e| panic!("{arguments:?}: {e}: {out}"))
+}
+
+/// Asserts that a document has these keys, `a.b` and `a[].b` meaning inside.
+fn has(document: &Value, keys: &[&str]) {
+    for key in keys {
+        let mut at = vec![document];
+        for part in key.split('.') {
+            let (name, list) = part.strip_suffix("[]").map_or((part, false), |name| (name, true));
+            at = at.into_iter().map(|v| v.get(name).unwrap_or_else(|| panic!("no {key}: {document}"))).collect();
+            if list {
+                at = at.into_iter().flat_map(|v| v.as_array().expect("a list")).collect();
+                assert!(!at.is_empty(), "{key} is empty");
+            }
+        }
+    }
+}
+
+#[test]
+fn documents_have_the_keys_that_others_rely_on() {
+    let run = json(&["run", "dam-break-2d", "--steps", "20", "--json"]);
+    has(
+        &run,
+        &["scene", "backend", "particles", "steps", "simulated_s", "wall_s", "ms_per_step.min", "ms_per_step.median"],
+    );
+    has(&run, &["average_neighbours.first", "average_neighbours.last", "density_error.mean", "density_error.max"]);
+    has(&run, &["hash", "warnings"]);
+    assert_eq!((run["steps"].as_u64(), run["particles"].as_u64()), (Some(20), Some(3200)));
+
+    let compare = json(&["compare", "thesis-cube", "--particles", "200", "--steps", "5", "--backend", "cpu", "--json"]);
+    has(&compare, &["scene", "steps", "pairs[].a", "pairs[].b", "pairs[].bit_equal", "pairs[].first_divergent_step"]);
+    has(&compare, &["pairs[].max_ulp.position", "pairs[].max_ulp.velocity", "pairs[].max_abs.position"]);
+    has(&compare, &["pairs[].max_abs.velocity", "pairs[].within_tolerance"]);
+
+    let bench = json(&["bench", "thesis-cube", "--particles", "200", "--steps", "3", "--json"]);
+    has(&bench, &["scene", "particles", "threads", "simd", "ms_per_step.min", "ms_per_step.median", "passes[].name"]);
+    has(&bench, &["passes[].ms", "ns_per_particle_step", "bytes_per_particle", "average_neighbours.first"]);
+    has(&bench, &["average_neighbours.last", "real_time_factor"]);
+
+    let plan = json(&["plan", "dam-break", "--steps", "2", "--json"]);
+    has(
+        &plan,
+        &["passes[].name", "passes[].terms", "left_out[].what", "left_out[].why", "bytes.used", "bytes.everything"],
+    );
+    has(&plan, &["ms_per_step.plan.min", "ms_per_step.everything.min"]);
+    let left_out = plan["left_out"].to_string();
+    for what in ["surface tension", "elasticity", "bodies", "near pressure"] {
+        assert!(left_out.contains(what), "{what}: {left_out}");
+    }
+
+    let scenes = json(&["scenes", "--json"]);
+    let names: Vec<&str> = scenes.as_array().expect("a list").iter().filter_map(|s| s["name"].as_str()).collect();
+    assert_eq!(names, ["dam-break", "dam-break-2d", "still-tank", "thesis-cube"]);
+}
+
+#[test]
+fn one_field_can_be_set() {
+    let slow = json(&["run", "dam-break-2d", "--steps", "2", "--set", "gravity=[0, -1, 0]", "--json"]);
+    let plain = json(&["run", "dam-break-2d", "--steps", "2", "--json"]);
+    assert_ne!(slow["hash"], plain["hash"]);
+    let named = json(&["run", "dam-break-2d", "--steps", "2", "--set", "fluid.speed_of_sound=25", "--json"]);
+    assert_eq!(named["hash"], plain["hash"], "set to what it was");
+}
+
+#[test]
+fn bad_calls_are_refused_with_status_2() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let calls: [(&[&str], &str); 10] = [
+        (&["run", "no-such-scene"], "no scene \"no-such-scene\""),
+        (&["run", "no-such-file.ron"], "no-such-file.ron"),
+        (&["run", "dam-break", "--set", "no_such_field=1"], "no field no_such_field"),
+        (&["run", "dam-break", "--set", "time_step"], "FIELD=VALUE"),
+        (&["run", "dam-break", "--set", "time_step=fast"], "invalid type"),
+        (&["run", "dam-break", "--set", "dimension=Four"], "Four"),
+        (&["run", "dam-break", "--time", "NaN"], "--time"),
+        (&["run", "dam-break", "--particles", "100000000"], "bytes"),
+        (&["run", "dam-break", "--set", "fluid.rest_density=-1"], "fluid.rest_density is -1"),
+        (&["error", "no-such-case"], "no case"),
+    ];
+    for (call, message) in calls {
+        let output = millpond(folder.path(), call);
+        let err = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{call:?}: {err}");
+        assert!(err.contains(message), "{call:?}: {err}");
+        assert_eq!(err.trim().lines().count(), 1, "{call:?}: one clear message: {err}");
+        assert!(output.stdout.is_empty(), "{call:?}");
+    }
+    assert_eq!(std::fs::read_dir(folder.path()).expect("a folder").count(), 0, "nothing is written");
+}
+
+#[test]
+fn bad_scene_files_are_named_with_line_and_field() {
+    let good = include_str!("../scenes/dam-break-2d.ron");
+    let line_of = |text: &str| good.lines().position(|line| line.contains(text)).expect("it is there") + 1;
+    let particles = ("particle_spacing: 0.025,", "particle_spacing: 0.025, particle_weight: 2.0,");
+    let cases = [
+        (particles, "particle_weight", line_of("particle_spacing")),
+        (("rest_density: 1000.0", "rest_density: -1000.0"), "rest_density is -1000", line_of("rest_density")),
+        (("gravity: (0.0, -9.81, 0.0)", "gravity: (0.0, NaN, 0.0)"), "gravity is NaN", line_of("gravity")),
+        (("dimension: Two", "dimension: Seven"), "Seven", line_of("dimension")),
+        (("slip: 1.0", "slip: 1.5"), "slip is 1.5", line_of("slip")),
+        (("cells: (64, 48, 1)", "cells: (2, 48, 1)"), "grid.cells has 2 along x", line_of("grid: (cells")),
+    ];
+    let folder = tempfile::tempdir().expect("a folder");
+    for ((from, to), message, line) in cases {
+        let text = good.replace(from, to);
+        assert_ne!(text, good, "{from}");
+        std::fs::write(folder.path().join("bad.ron"), text).expect("it can be written");
+        let output = millpond(folder.path(), &["run", "bad.ron", "--out", "pictures"]);
+        let err = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{to}: {err}");
+        assert!(err.contains(message) && err.contains(&format!("bad.ron:{line}")), "{to}, line {line}: {err}");
+        assert!(!folder.path().join("pictures").exists(), "nothing is written");
+    }
+    std::fs::write(folder.path().join("bad.ron"), "this is no scene").expect("it can be written");
+    let output = millpond(folder.path(), &["run", "bad.ron"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("bad.ron:1: "));
+}
+
+#[test]
+fn a_cell_past_its_capacity_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lists = r#"grid.structure={"CellLists":{"places":2}}"#;
+    let output = millpond(folder.path(), &["run", "dam-break-2d", "--set", lists]);
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert!(err.contains("particles and 2 places"), "{err}");
+    assert_eq!(output.status.code(), Some(2), "the scene cannot start, so the scene is wrong: {err}");
+}
+
+#[test]
+fn a_step_that_fails_ends_with_status_1() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = millpond(folder.path(), &["run", "dam-break-2d", "--set", "time_step=0.5", "--steps", "200"]);
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{err}");
+    assert!(err.contains("step "), "{err}");
+}
+
+#[test]
+fn a_run_writes_its_pictures_and_its_report() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let call = ["run", "thesis-cube", "--particles", "200", "--steps", "4", "--out", "here", "--frames", "3", "--json"];
+    let output = millpond(folder.path(), &call);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    for name in ["report.md", "thesis-cube-0000.png", "thesis-cube-0001.png", "thesis-cube-0002.png"] {
+        let length =
+            std::fs::metadata(folder.path().join("here").join(name)).unwrap_or_else(|e| panic!("{name}: {e}")).len();
+        assert!(length > 100, "{name}");
+    }
+}
