@@ -6,6 +6,7 @@ use crate::memory::Heap;
 use crate::output::{print_json, progress};
 use crate::pool::Pool;
 use crate::scenes::{Named, load};
+use crate::timing::{Milliseconds, timed};
 use millpond_core::scene::{GridStructure, Scene};
 use millpond_core::{Simd, Solver};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
@@ -66,6 +67,8 @@ pub struct Pair {
     pub first_difference: Option<String>,
     /// Does this path promise bits?
     pub promised: bool,
+    /// Time of a step of `b`, reading a device back included.
+    pub ms_per_step: Milliseconds,
 }
 
 /// Result of `compare`.
@@ -79,6 +82,8 @@ pub struct Comparison {
     pub particles: usize,
     /// State hash after the last step.
     pub hash: String,
+    /// Time of a step of the path all others are held against.
+    pub ms_per_step: Milliseconds,
     /// All pairs.
     pub pairs: Vec<Pair>,
 }
@@ -95,6 +100,7 @@ impl Comparison {
 struct Rival<'a> {
     path: Path<'a>,
     pair: Pair,
+    times: Vec<f64>,
 }
 
 enum Path<'a> {
@@ -177,8 +183,9 @@ pub fn compare(named: &Named, steps: u64, with_cpu: bool, devices: &[Gpu]) -> Re
             within_tolerance: true,
             first_difference: None,
             promised,
+            ms_per_step: Milliseconds::default(),
         };
-        rivals.push(Rival { path, pair });
+        rivals.push(Rival { path, pair, times: Vec::new() });
     };
     for gpu in devices {
         let solver = GpuSolver::new(gpu, &reference)?;
@@ -200,11 +207,16 @@ pub fn compare(named: &Named, steps: u64, with_cpu: bool, devices: &[Gpu]) -> Re
     }
 
     let bar = progress(&format!("compare {}", named.name), steps);
+    let mut times = Vec::new();
     for step in 1..=steps {
-        reference.step(&one)?;
+        let (made, ms) = timed(|| reference.step(&one));
+        made?;
+        times.push(ms);
         let want = Snapshot::of_cpu(&reference);
         for rival in &mut rivals {
-            let got = rival.path.step()?;
+            let (got, ms) = timed(|| rival.path.step());
+            let got = got?;
+            rival.times.push(ms);
             if let Some(found) = difference(&want, &got) {
                 note(&mut rival.pair, step, found, scene);
             }
@@ -217,7 +229,11 @@ pub fn compare(named: &Named, steps: u64, with_cpu: bool, devices: &[Gpu]) -> Re
         steps,
         particles: reference.slots().len(),
         hash: format!("{:016x}", reference.hash()),
-        pairs: rivals.into_iter().map(|rival| rival.pair).collect(),
+        ms_per_step: Milliseconds::of(&times),
+        pairs: rivals
+            .into_iter()
+            .map(|rival| Pair { ms_per_step: Milliseconds::of(&rival.times), ..rival.pair })
+            .collect(),
     })
 }
 
@@ -239,8 +255,10 @@ fn note(pair: &mut Pair, step: u64, found: Difference, scene: &Scene) {
 /// The comparison in words.
 #[must_use]
 pub fn table(comparison: &Comparison) -> String {
-    let Comparison { scene, steps, particles, hash, pairs } = comparison;
-    let mut out = format!("{scene}: {particles} particles, {steps} steps, each held against cpu scalar; hash {hash}\n");
+    let Comparison { scene, steps, particles, hash, pairs, ms_per_step } = comparison;
+    let mut out = format!("{scene}: {particles} particles, {steps} steps, hash {hash}\n\n");
+    out += "| path | ms a step, least | median | against cpu scalar |\n| --- | --- | --- | --- |\n";
+    out += &format!("| cpu scalar | {:.2} | {:.2} | |\n", ms_per_step.min, ms_per_step.median);
     for pair in pairs {
         let verdict = match (&pair.first_divergent_step, &pair.first_difference) {
             (None, _) => "bit-equal at every step".to_owned(),
@@ -255,7 +273,8 @@ pub fn table(comparison: &Comparison) -> String {
                 )
             }
         };
-        out += &format!("  {:44} {verdict}\n", pair.b);
+        let ms = pair.ms_per_step;
+        out += &format!("| {} | {:.2} | {:.2} | {verdict} |\n", pair.b, ms.min, ms.median);
     }
     out
 }

@@ -1,0 +1,71 @@
+//! How a game embeds the fluid: memory lent once, a step a tick, particles handed to the renderer.
+//!
+//! `cargo run --release -p millpond-core --example embed`
+use millpond_core::scene::{Block, Container, Dimension, Fluid, Grid, Kernel, ModelChoice, PressureForce, Scene};
+use millpond_core::{Serial, Solver, Storage};
+
+/// Room for 4096 particles in 32 x 32 x 1 cells. In a real game: a `static`, or a field of the world.
+type Pool = Storage<4096, 1024>;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let scene = Scene {
+        dimension: Dimension::Two,
+        particle_spacing: 0.02,
+        average_neighbours: 21.0,
+        time_step: 0.0004,
+        gravity: [0.0, -9.81, 0.0],
+        fluid: Fluid { rest_density: 1000.0, speed_of_sound: 20.0, dynamic_viscosity: 5.0, near_stiffness: None },
+        blocks: [Block { corner: [0.0; 3], size: [0.6, 0.8, 0.0], velocity: [0.0; 3], jitter: 0.0 }]
+            .into_iter()
+            .collect(),
+        container: Some(Container {
+            low: [0.0; 3],
+            high: [1.6, 1.2, 0.0],
+            bounce: 0.0,
+            slip: 1.0,
+            reflection: Default::default(),
+            open: [].into_iter().collect(),
+        }),
+        model: ModelChoice {
+            density_kernel: Kernel::CubicSpline,
+            pressure_kernel: Kernel::CubicSpline,
+            pressure_force: PressureForce::Monaghan,
+            suction: false,
+            near_pressure: false,
+            ..ModelChoice::default()
+        },
+        grid: Grid { cells: [32, 32, 1], ..Grid::default() },
+    };
+    let mut pool = Box::new(Pool::new());
+    let mut fluid = Solver::new(&scene, pool.lend())?;
+
+    // a frame of 1/60 s is 42 steps; what is refused leaves the fluid as it was, so the game goes on
+    for frame in 0..60 {
+        for _ in 0..42 {
+            if let Err(refused) = fluid.step(&Serial) {
+                eprintln!("{refused}");
+                break;
+            }
+        }
+        if frame % 12 == 0 {
+            draw(&fluid);
+        }
+    }
+    println!("after {:.2} s: hash {:016x}", fluid.time(), fluid.hash());
+    Ok(())
+}
+
+/// The fluid in letters: a game would copy `fluid.state().position` into a vertex buffer, as it is.
+fn draw(fluid: &Solver<'_>) {
+    let mut rows = [[b' '; 64]; 12];
+    for particle in fluid.particles() {
+        let (x, y) = ((particle.position.x * 40.0) as usize, (particle.position.y * 10.0) as usize);
+        if let Some(place) = rows.get_mut(11 - y.min(11)).and_then(|row| row.get_mut(x)) {
+            *place = if particle.velocity.length() > 1.0 { b'~' } else { b'o' };
+        }
+    }
+    println!("t = {:.2} s", fluid.time());
+    for row in rows {
+        println!("|{}|", String::from_utf8_lossy(&row));
+    }
+}
