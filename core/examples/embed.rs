@@ -1,7 +1,9 @@
 //! How a game embeds the fluid: memory lent once, a step a tick, particles handed to the renderer.
 //!
 //! `cargo run --release -p millpond-core --example embed`
-use millpond_core::scene::{Block, Container, Dimension, Fluid, Grid, Kernel, ModelChoice, PressureForce, Scene};
+use millpond_core::scene::{
+    Block, Container, Dimension, Fluid, Grid, Kernel, ModelChoice, PressureForce, Reflection, Scene,
+};
 use millpond_core::{Serial, Solver, Storage};
 
 /// Room for 4096 particles in 32 x 32 x 1 cells. In a real game: a `static`, or a field of the world.
@@ -23,7 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             high: [1.6, 1.2, 0.0],
             bounce: 0.0,
             slip: 1.0,
-            reflection: Default::default(),
+            reflection: Reflection::default(),
             open: [].into_iter().collect(),
         }),
         model: ModelChoice {

@@ -16,6 +16,7 @@ pub mod text;
 pub mod words;
 
 mod buffers;
+mod open;
 mod pipelines;
 
 pub use device::{Gpu, Mode};

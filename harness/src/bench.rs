@@ -1,6 +1,6 @@
 //! `bench`: how long a step takes, pass by pass.
+use crate::arguments::{BackendName, Common};
 use crate::census::{FirstLast, census};
-use crate::cli::{BackendName, Common};
 use crate::failure::Failure;
 use crate::fluid::{Snapshot, start};
 use crate::memory::Heap;

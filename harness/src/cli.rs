@@ -1,9 +1,8 @@
-//! The command line.
+//! The commands.
 use crate::failure::Failure;
 use crate::scenes::{BUILT_IN, Changes, load};
 use crate::{bench, compare, error_study, plan_view, run, showcase};
-use clap::{Args, Parser, Subcommand, ValueEnum};
-use std::path::PathBuf;
+use clap::{Parser, Subcommand};
 
 /// A deterministic, fixed-capacity SPH fluid: run it, compare its backends bit for bit, weigh error against run time.
 ///
@@ -33,65 +32,6 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
-}
-
-/// Where a scene runs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum BackendName {
-    /// The CPU, by lanes and threads.
-    Cpu,
-    /// A wgpu device, in strict mode.
-    Gpu,
-}
-
-/// What every command about a scene takes.
-#[derive(Clone, Debug, Args)]
-pub struct Common {
-    /// A built-in scene's name, or a scene file
-    pub scene: String,
-    #[command(flatten)]
-    #[expect(missing_docs, reason = "its fields say it to the user")]
-    pub changes: Changes,
-    /// Threads of the CPU backend (0: as many as there are cores)
-    #[arg(long, default_value_t = 0, value_name = "N")]
-    pub threads: usize,
-    /// One JSON document on stdout, everything else on stderr
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// How long a scene runs.
-#[derive(Clone, Copy, Debug, Default, Args)]
-pub struct Length {
-    /// Time steps to make
-    #[arg(long, value_name = "N", conflicts_with = "time")]
-    pub steps: Option<u64>,
-    /// Simulated seconds to run
-    #[arg(long, value_name = "SECONDS")]
-    pub time: Option<f64>,
-}
-
-impl Length {
-    /// As steps, `otherwise` seconds where nothing was said.
-    ///
-    /// # Errors
-    /// A time that is none.
-    pub fn in_steps(self, otherwise: f64, time_step: f32) -> Result<u64, Failure> {
-        let seconds = self.time.unwrap_or(otherwise);
-        match self.steps {
-            Some(steps) => Ok(steps),
-            None if seconds.is_finite() && seconds >= 0.0 => Ok((seconds / f64::from(time_step)).round() as u64),
-            None => Err(Failure::Call(format!("--time {seconds} is no length of time"))),
-        }
-    }
-}
-
-/// Where results go.
-#[derive(Clone, Debug, Default, Args)]
-pub struct Out {
-    /// Folder for pictures and reports
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
 }
 
 impl Cli {

@@ -1,5 +1,5 @@
 //! `compare`: one scene on every path at once, every bit held against the scalar one after every step.
-use crate::cli::{BackendName, Common, Length};
+use crate::arguments::{BackendName, Common, Length};
 use crate::failure::Failure;
 use crate::fluid::{Snapshot, device_if_any, start};
 use crate::memory::Heap;

@@ -1,5 +1,5 @@
 //! `error`: how far off a case is, against how long it takes, over resolutions, time steps and formulas.
-use crate::cli::Out;
+use crate::arguments::Out;
 use crate::failure::Failure;
 use crate::memory::Heap;
 use crate::output::{make_folder, print_json, progress, write_text};

@@ -1,5 +1,5 @@
 //! A scene on a backend, behind one face.
-use crate::cli::BackendName;
+use crate::arguments::BackendName;
 use crate::failure::Failure;
 use crate::memory::Heap;
 use crate::pool::Pool;

@@ -5,6 +5,7 @@
 //! [`showcase`], which is what happens without any. They share [`scenes`] (what runs), [`fluid`] (a scene on a backend),
 //! [`census`] (what can be said of it) and the drawing in [`paint`], [`frames`] and [`plot`].
 
+pub mod arguments;
 pub mod bench;
 pub mod census;
 pub mod cli;

@@ -1,5 +1,5 @@
 //! `plan`: what a scene needs, what it leaves out, and what that saves.
-use crate::cli::Common;
+use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::memory::Heap;
 use crate::output::print_json;

@@ -1,6 +1,6 @@
 //! `run`: a scene on one backend, with pictures if asked.
+use crate::arguments::{BackendName, Common, Length, Out};
 use crate::census::{FirstLast, MeanMax, census};
-use crate::cli::{BackendName, Common, Length, Out};
 use crate::failure::Failure;
 use crate::fluid::Fluid;
 use crate::frames::Film;

@@ -1,5 +1,5 @@
 //! What happens without a command: the whole promise in a few minutes.
-use crate::cli::BackendName;
+use crate::arguments::BackendName;
 use crate::compare::{self, compare};
 use crate::error_study;
 use crate::failure::Failure;

@@ -3,6 +3,7 @@
 //!
 //! One particle a lane, never a sum across lanes: so eight lanes give the bits of eight scalar runs.
 use super::real::Real;
+use super::root::root4;
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// Lanes of the vector path. Sixteen lost to eight where it was tried: a cell seldom holds so many particles.
@@ -11,35 +12,6 @@ pub const LANES: usize = 8;
 /// `LANES` numbers side by side.
 #[derive(Clone, Copy, Debug)]
 pub struct Lanes(pub [f32; LANES]);
-
-/// Correctly rounded roots of four numbers. `core` has no `sqrt`, and `libm`'s is a scalar instruction in inline
-/// assembly, which inside vector code costs 80 times as much.
-#[cfg(target_arch = "x86_64")]
-#[inline(always)]
-#[expect(unsafe_code, reason = "the vector square root is only to be had as an intrinsic")]
-pub(crate) fn root4(x: [f32; 4]) -> [f32; 4] {
-    // SAFETY: SSE, all that the intrinsic needs, is part of every x86-64.
-    bytemuck::cast(unsafe { core::arch::x86_64::_mm_sqrt_ps(bytemuck::cast(x)) })
-}
-
-/// Correctly rounded roots of four numbers.
-#[cfg(target_arch = "aarch64")]
-#[inline(always)]
-#[expect(unsafe_code, reason = "the vector square root is only to be had as an intrinsic")]
-pub(crate) fn root4(x: [f32; 4]) -> [f32; 4] {
-    use core::arch::aarch64::{vld1q_f32, vsqrtq_f32, vst1q_f32};
-    let mut roots = [0.0; 4];
-    // SAFETY: NEON, all that the intrinsics need, is part of every aarch64; both pointers span four numbers.
-    unsafe { vst1q_f32(roots.as_mut_ptr(), vsqrtq_f32(vld1q_f32(x.as_ptr()))) };
-    roots
-}
-
-/// Correctly rounded roots of four numbers.
-#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
-#[inline(always)]
-pub(crate) fn root4(x: [f32; 4]) -> [f32; 4] {
-    x.map(libm::sqrtf)
-}
 
 macro_rules! each {
     ($i:ident => $e:expr) => {{

@@ -4,3 +4,4 @@
 pub mod lanes;
 pub mod level;
 pub mod real;
+mod root;

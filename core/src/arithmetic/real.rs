@@ -169,7 +169,7 @@ impl Real for f32 {
     }
     #[inline(always)]
     fn root(self) -> f32 {
-        super::lanes::root4([self; 4])[0]
+        super::root::root4([self; 4])[0]
     }
     #[inline(always)]
     fn abs(self) -> f32 {

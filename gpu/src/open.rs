@@ -1,0 +1,67 @@
+//! Choosing a device. Any adapter will do, a software one too; for strict mode it must pass the words' test.
+use crate::device::{Gpu, Mode};
+use crate::error::GpuError;
+use crate::words::{WordReport, try_words};
+
+impl Gpu {
+    /// Opens the first adapter whose name contains `wanted` (any, without), hardware before software.
+    ///
+    /// # Errors
+    /// No adapter, no device, or no strict mode on it.
+    pub fn open(wanted: Option<&str>, mode: Mode) -> Result<Gpu, GpuError> {
+        let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+        if mode == Mode::Strict {
+            descriptor.backends = wgpu::Backends::VULKAN;
+        }
+        let instance = wgpu::Instance::new(descriptor);
+        let mut adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
+        adapters.sort_by_key(|a| a.get_info().device_type == wgpu::DeviceType::Cpu);
+        let matches = |a: &wgpu::Adapter| wanted.is_none_or(|w| a.get_info().name.contains(w));
+        let adapter = adapters
+            .into_iter()
+            .find(matches)
+            .ok_or_else(|| GpuError::NoAdapter { wanted: wanted.map(str::to_owned) })?;
+        Gpu::of(&adapter, mode)
+    }
+
+    fn of(adapter: &wgpu::Adapter, mode: Mode) -> Result<Gpu, GpuError> {
+        let info = adapter.get_info();
+        let strict = wgpu::Features::PASSTHROUGH_SHADERS;
+        let mut wanted = wgpu::DeviceDescriptor { label: Some("millpond"), ..Default::default() };
+        if mode == Mode::Strict {
+            if info.backend != wgpu::Backend::Vulkan || !adapter.features().contains(strict) {
+                let (adapter, backend) = (info.name, info.backend.to_string());
+                return Err(GpuError::NoStrictMode { adapter, backend });
+            }
+            wanted.required_features = strict;
+            wanted.experimental_features = experimental();
+        }
+        // buffers may be as large as the adapter takes
+        let limits = adapter.limits();
+        wanted.required_limits.max_storage_buffer_binding_size = limits.max_storage_buffer_binding_size;
+        wanted.required_limits.max_buffer_size = limits.max_buffer_size;
+        let (device, queue) = pollster::block_on(adapter.request_device(&wanted))
+            .map_err(|e| GpuError::NoDevice { adapter: info.name.clone(), reason: e.to_string() })?;
+        let gpu = Gpu { device, queue, info, mode };
+        if mode == Mode::Strict {
+            gpu.prove_words()?;
+        }
+        Ok(gpu)
+    }
+
+    /// Refuses a device whose words differ from core's.
+    fn prove_words(&self) -> Result<(), GpuError> {
+        match try_words(self)?.into_iter().find(|report| report.differing > 0) {
+            None => Ok(()),
+            Some(WordReport { word, tried, differing }) => {
+                Err(GpuError::LooseArithmetic { adapter: self.name(), word, differing, tried })
+            }
+        }
+    }
+}
+
+#[expect(unsafe_code, reason = "wgpu counts pass-through among its experimental features")]
+fn experimental() -> wgpu::ExperimentalFeatures {
+    // SAFETY: the one experimental feature in use is pass-through, and it is given only naga's own valid SPIR-V.
+    unsafe { wgpu::ExperimentalFeatures::enabled() }
+}
