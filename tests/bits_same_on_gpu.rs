@@ -3,7 +3,7 @@
 use millpond::compare::difference;
 use millpond::fluid::Snapshot;
 use millpond::memory::Heap;
-use millpond_core::scene::GridStructure;
+use millpond_core::scene::{Block, GridStructure};
 use millpond_core::{Serial, Solver};
 use millpond_gpu::{GpuSolver, Mode};
 
@@ -35,6 +35,18 @@ fn for_500_steps_of_a_dam_break() {
 fn for_500_steps_of_the_thesis_cube() {
     // 67 steps at once are more than are recorded before a look at the status
     check("bits_same_on_gpu, thesis-cube", &support::scaled("thesis-cube", 1000).file.scene, 500, 67);
+}
+
+#[test]
+fn for_no_particle_and_for_one() {
+    let mut scene = support::scaled("dam-break-2d", 800).file.scene;
+    scene.blocks.clear();
+    check("bits_same_on_gpu, no particle", &scene, 3, 1);
+    let corner = [0.5, 1.0, 0.0];
+    let block = Block { corner, size: [scene.particle_spacing; 3], velocity: [0.0; 3], jitter: 0.0 };
+    scene.blocks = [block].into_iter().collect();
+    assert_eq!(scene.particle_count(), 1);
+    check("bits_same_on_gpu, one particle", &scene, 100, 10);
 }
 
 #[test]

@@ -7,7 +7,7 @@ use crate::hash::state_hash;
 use crate::layout::{Parameters, f32x4};
 use crate::passes::Setup;
 use crate::plan::Plan;
-use crate::scene::{Place, Scene, places};
+use crate::scene::{Place, Scene, check_count, places};
 use crate::step::{self, Pass};
 use crate::storage::{Memory, Needs, State};
 use glam::Vec3;
@@ -90,6 +90,7 @@ impl<'m> Solver<'m> {
         memory: Memory<'m>,
     ) -> Result<Solver<'m>, SceneError> {
         scene.check()?;
+        check_count(count as u64)?;
         let memory = memory.cut(Needs { particles: count, ..Needs::of(scene) })?;
         let parameters = Parameters { particle_count: count as u32, ..parameters(scene) };
         let simd = Simd::detect();

@@ -57,10 +57,7 @@ impl Scene {
             let [x, y, z] = lattice::counts(block, self);
             particles = particles.saturating_add(x.saturating_mul(y).saturating_mul(z));
         }
-        if particles > MOST_PARTICLES {
-            return Err(SceneError::TooManyParticles { particles, most: MOST_PARTICLES });
-        }
-        Ok(())
+        check_count(particles)
     }
 
     fn check_container(&self) -> Result<(), SceneError> {
@@ -105,6 +102,14 @@ impl Scene {
         let count = |block| lattice::counts(block, self).iter().product::<u64>();
         self.blocks.iter().map(count).sum::<u64>() as usize
     }
+}
+
+/// Refuses more particles than a status word can name.
+pub(crate) fn check_count(particles: u64) -> Result<(), SceneError> {
+    if particles > MOST_PARTICLES {
+        return Err(SceneError::TooManyParticles { particles, most: MOST_PARTICLES });
+    }
+    Ok(())
 }
 
 fn finite(field: &'static str, values: &[f32]) -> Result<(), SceneError> {

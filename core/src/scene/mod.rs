@@ -5,6 +5,7 @@ mod check;
 mod choice;
 mod lattice;
 
+pub(crate) use check::check_count;
 pub use choice::{Dimension, EquationOfState, Face, GridStructure, Kernel, PressureForce, Reflection};
 pub use lattice::{Place, places};
 
