@@ -44,14 +44,39 @@ pub enum SceneError {
     },
     /// A scene in 2D has gravity or a velocity along z.
     OutOfPlane,
-    /// A wrapped axis needs three cells, else a neighbour would be met twice; in 2D there is one layer along z.
+    /// A block is thinner than half a spacing along an axis, so it would have no particles.
+    EmptyBlock {
+        /// Which block, counted from 0.
+        block: usize,
+        /// 0, 1, 2 for x, y, z.
+        axis: usize,
+        /// Its extent, m.
+        size: f32,
+    },
+    /// A block reaches through a wall of the container.
+    BlockOutside {
+        /// Which block, counted from 0.
+        block: usize,
+        /// 0, 1, 2 for x, y, z.
+        axis: usize,
+        /// How far, m.
+        by: f32,
+    },
+    /// A field, with the others, makes constants that no f32 can hold.
+    OutOfScale {
+        /// Which.
+        field: &'static str,
+        /// Its value.
+        value: f32,
+    },
+    /// A plan that was not made for this scene.
+    PlanOfAnotherScene,
+    /// A wrapped axis needs three cells, else a neighbour would be met twice.
     TooFewCells {
         /// 0, 1, 2 for x, y, z.
         axis: usize,
         /// Cells along it.
         cells: u32,
-        /// True where exactly one is wanted.
-        layer: bool,
     },
     /// More cells or places than an index can name.
     TooManyCells {
@@ -154,12 +179,19 @@ impl fmt::Display for SceneError {
             SceneError::EmptyContainer { axis, low, high } => {
                 write!(f, "container has no inside along {}: low {low} m, high {high} m", AXES[axis])
             }
-            SceneError::OutOfPlane => write!(f, "a scene in 2D has gravity or a velocity along z"),
-            SceneError::TooFewCells { axis, cells, layer: false } => {
-                write!(f, "grid.cells has {cells} along {}, and must have at least 3", AXES[axis])
+            SceneError::OutOfPlane => write!(f, "a scene in 2D has gravity, a place or a velocity along z"),
+            SceneError::EmptyBlock { block, axis, size } => {
+                write!(f, "blocks[{block}].size is {size} m along {}: less than half a particle_spacing", AXES[axis])
             }
-            SceneError::TooFewCells { axis, cells, layer: true } => {
-                write!(f, "grid.cells has {cells} along {}, and in 2D must have exactly 1", AXES[axis])
+            SceneError::BlockOutside { block, axis, by } => {
+                write!(f, "blocks[{block}] reaches {by} m through a wall along {}", AXES[axis])
+            }
+            SceneError::OutOfScale { field, value } => {
+                write!(f, "{field} is {value}, which makes constants that no f32 can hold")
+            }
+            SceneError::PlanOfAnotherScene => write!(f, "the plan was made for another scene"),
+            SceneError::TooFewCells { axis, cells } => {
+                write!(f, "grid.cells has {cells} along {}, and must have at least 3", AXES[axis])
             }
             SceneError::TooManyCells { cells: [x, y, z], places } => {
                 write!(f, "grid.cells {x} x {y} x {z} with {places} places each are more than 2^31")

@@ -63,7 +63,12 @@ pub(crate) fn parts(executor: &impl Executor) -> usize {
 
 /// Cuts `0..count` into `parts` runs of about the same length.
 pub(crate) fn shares(count: usize, parts: usize) -> impl Iterator<Item = Range<usize>> {
-    (0..parts).map(move |i| count * i / parts..count * (i + 1) / parts)
+    (0..parts).map(move |i| share_of(count, i, parts)..share_of(count, i + 1, parts))
+}
+
+/// `whole * part / parts`, in numbers wide enough on every target.
+pub(crate) fn share_of(whole: usize, part: usize, parts: usize) -> usize {
+    (whole as u64 * part as u64 / parts as u64) as usize
 }
 
 /// The first `count` items of what is left to hand out; empty where there are not so many, which no caller asks for.

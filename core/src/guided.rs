@@ -55,7 +55,7 @@ pub fn parameters(scene: &Scene) -> Parameters {
         EquationOfState::Desbrun => c2,
     };
     let (planes, plane_count) = planes(scene);
-    let [x, y, z] = scene.grid.cells;
+    let [x, y, z] = scene.cells();
     let [gx, gy, gz] = scene.gravity;
     let container = scene.container.as_ref();
     Parameters {

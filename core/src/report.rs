@@ -2,7 +2,7 @@
 use crate::grid::{Cells, Stencil, cell_of};
 use crate::hash::tree_sum;
 use crate::layout::f32x4;
-use crate::passes::{p02_count, p04_scan};
+use crate::passes::{p02_count, p04_scan, p05_place};
 use crate::solver::Solver;
 
 /// How far the fluid is compressed beyond its rest density, as a share of it.
@@ -38,11 +38,10 @@ impl Solver<'_> {
     }
 
     /// Calls `visit` with the ids of every pair inside each other's support, each pair in both directions and every
-    /// particle with itself, in the order in which a step sums them.
+    /// particle with itself, in the order in which the next step would sum them where it did not move anything.
     pub fn each_pair(&mut self, mut visit: impl FnMut(u32, u32)) {
         let (p, layers) = (*self.parameters(), self.plan().model.layers as i32);
-        // a failed step leaves the cells of its attempt behind, so they are counted anew
-        self.recount();
+        self.sort_again();
         let state = self.state();
         let scratch = &self.memory.scratch;
         let cells = Cells { begin: scratch.begin, counter: scratch.counter };
@@ -52,8 +51,9 @@ impl Solver<'_> {
                 continue;
             }
             let stencil = Stencil::around(&p, layers, cells, cell);
-            for a in members {
-                for b in stencil.runs().flatten() {
+            for a in &scratch.order[members] {
+                for b in stencil.runs().flat_map(|run| &scratch.order[run]) {
+                    let (a, b) = (*a as usize, *b as usize);
                     if distance2(state.position[a], state.position[b]) * p.inverse_support_squared < 1.0 {
                         visit(state.id[a], state.id[b]);
                     }
@@ -70,16 +70,23 @@ impl Solver<'_> {
         pairs as f64 / self.slots().len().max(1) as f64
     }
 
-    /// Cells of the current state, which stands sorted by them.
-    fn recount(&mut self) {
+    /// Slots by cell and id, into `order`. Walls move particles after a step has sorted them, and a failed step leaves
+    /// the cells of its attempt behind.
+    fn sort_again(&mut self) {
         let p = *self.parameters();
         let current = self.current_index();
         let state = &self.memory.states[current];
         let scratch = &mut self.memory.scratch;
         for (cell, x) in scratch.cell.iter_mut().zip(state.position.iter()) {
+            // one that a wall put beyond the range, where the next step refuses it, shows up in cell 0, near nobody
             *cell = cell_of(&p, *x).unwrap_or(0);
         }
         p02_count::run(scratch.cell, scratch.rank, scratch.counter);
         p04_scan::run(scratch.counter, scratch.begin);
+        p05_place::run(scratch.cell, scratch.rank, scratch.begin, scratch.order);
+        let cells = Cells { begin: scratch.begin, counter: scratch.counter };
+        for cell in 0..cells.begin.len() {
+            scratch.order[cells.members(cell)].sort_unstable_by_key(|&slot| state.id[slot as usize]);
+        }
     }
 }

@@ -7,7 +7,7 @@ use crate::hash::state_hash;
 use crate::layout::{Parameters, f32x4};
 use crate::passes::Setup;
 use crate::plan::Plan;
-use crate::scene::{Place, Scene, check_count, places};
+use crate::scene::{Dimension, Place, Scene, check_count, places};
 use crate::step::{self, Pass};
 use crate::storage::{Memory, Needs, State};
 use glam::Vec3;
@@ -78,10 +78,10 @@ impl<'m> Solver<'m> {
         Solver::with_particles(scene, Plan::of(scene), scene.particle_count(), places(scene), memory)
     }
 
-    /// The same with a plan of your own, and `count` particles wherever you like; their ids are 0, 1, 2 ...
+    /// The same by a plan of the scene's, and with `count` particles wherever you like; their ids are 0, 1, 2 ...
     ///
     /// # Errors
-    /// As for [`Solver::new`]. Missing places count as lent memory that is too small.
+    /// As for [`Solver::new`]; also a plan of another scene, and more or fewer places than `count`.
     pub fn with_particles(
         scene: &Scene,
         plan: Plan,
@@ -91,32 +91,44 @@ impl<'m> Solver<'m> {
     ) -> Result<Solver<'m>, SceneError> {
         scene.check()?;
         check_count(count as u64)?;
+        if plan != Plan::of(scene) && plan != Plan::everything(scene) {
+            return Err(SceneError::PlanOfAnotherScene);
+        }
         let memory = memory.cut(Needs { particles: count, ..Needs::of(scene) })?;
         let parameters = Parameters { particle_count: count as u32, ..parameters(scene) };
         let simd = Simd::detect();
         let mut solver = Solver { plan, parameters, simd, steps: 0, current: 0, memory };
-        let filled = solver.fill(places);
-        if filled < count {
-            return Err(SceneError::CapacityExceeded { what: "places", needed: count, capacity: filled });
-        }
+        solver.fill(scene.dimension, places)?;
         // with time standing still a step evaluates the first accelerations and sorts the particles
         solver.advance(&Serial, &parameters.at_rest(), &mut |_| ())?;
         Ok(solver)
     }
 
-    /// Writes the particles into the current state; returns how many there were.
-    fn fill(&mut self, places: impl IntoIterator<Item = Place>) -> usize {
+    /// Writes the particles into the current state.
+    fn fill(&mut self, dimension: Dimension, places: impl IntoIterator<Item = Place>) -> Result<(), SceneError> {
         let state = &mut self.memory.states[self.current];
-        let mut filled = 0;
-        for (slot, place) in places.into_iter().take(state.id.len()).enumerate() {
+        let needed = state.id.len();
+        let mut places = places.into_iter();
+        for slot in 0..needed {
+            let Some(place) = places.next() else {
+                return Err(SceneError::CapacityExceeded { what: "places of particles", needed, capacity: slot });
+            };
             let ([x, y, z], [u, v, w]) = (place.position, place.velocity);
+            if dimension == Dimension::Two && (z != 0.0 || w != 0.0) {
+                return Err(SceneError::OutOfPlane);
+            }
             state.position[slot] = [x, y, z, 0.0];
             state.velocity[slot] = [u, v, w, 0.0];
             state.acceleration[slot] = [0.0; 4];
             state.id[slot] = slot as u32;
-            filled = slot + 1;
         }
-        filled
+        match places.next() {
+            Some(_) => {
+                let needed = needed + 1;
+                Err(SceneError::CapacityExceeded { what: "particles", needed, capacity: needed - 1 })
+            }
+            None => Ok(()),
+        }
     }
 
     /// Computes at this level, or the best one below it that the processor has. Never changes a bit.
@@ -162,7 +174,7 @@ impl<'m> Solver<'m> {
         Ok(())
     }
 
-    /// The fluid as it lies in memory, sorted by cell.
+    /// The fluid as it lies in memory, sorted by the cells that its particles had before walls moved them.
     #[must_use]
     pub fn state(&self) -> &State<'m> {
         &self.memory.states[self.current]

@@ -72,7 +72,7 @@ impl Needs {
     /// Of a scene that [`Scene::check`] accepts.
     #[must_use]
     pub fn of(scene: &Scene) -> Needs {
-        let cells = scene.grid.cells.iter().map(|&n| n as usize).product();
+        let cells = scene.cells().iter().map(|&n| n as usize).product();
         let places = match scene.grid.structure {
             GridStructure::IndexSort => 0,
             GridStructure::CellLists { places } => places as usize * cells,
@@ -191,6 +191,9 @@ impl<'m> Memory<'m> {
         let Needs { particles, cells, places } = needs;
         let [a, b] = self.states;
         let s = self.scratch;
+        // entries are named by u32
+        let entries = s.list.len().min(u32::MAX as usize);
+        let list = &mut s.list[..entries];
         Ok(Memory {
             states: [a.cut(particles)?, b.cut(particles)?],
             slot: cut("particles", self.slot, particles)?,
@@ -199,7 +202,7 @@ impl<'m> Memory<'m> {
                 rank: cut("particles", s.rank, particles)?,
                 order: cut("particles", s.order, particles)?,
                 block: cut("particles", s.block, particles)?,
-                list: s.list,
+                list,
                 begin: cut("cells", s.begin, cells)?,
                 counter: cut("cells", s.counter, cells)?,
                 grid_cells: cut("places of cells", s.grid_cells, places)?,

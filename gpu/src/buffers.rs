@@ -44,7 +44,8 @@ impl<'g> Maker<'g> {
     /// A buffer of so many bytes.
     pub(crate) fn room(&self, array: &'static str, bytes: usize) -> Result<wgpu::Buffer, GpuError> {
         let bytes = bytes.max(size_of::<f32x4>()) as u64;
-        let limit = self.gpu.device.limits().max_storage_buffer_binding_size;
+        let limits = self.gpu.device.limits();
+        let limit = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
         if bytes > limit {
             return Err(GpuError::TooLarge { array, bytes, limit });
         }
@@ -132,6 +133,15 @@ pub(crate) fn read<T: Pod + Zeroable>(gpu: &Gpu, buffer: &wgpu::Buffer, count: u
     if bytes == 0 {
         return Ok(Vec::new());
     }
+    gpu.caught(|| read_bytes(gpu, buffer, bytes, count))
+}
+
+fn read_bytes<T: Pod + Zeroable>(
+    gpu: &Gpu,
+    buffer: &wgpu::Buffer,
+    bytes: u64,
+    count: usize,
+) -> Result<Vec<T>, GpuError> {
     let staging = gpu.device.create_buffer(&wgpu::BufferDescriptor {
         label: Some("staging"),
         size: bytes,

@@ -22,6 +22,19 @@ pub struct Gpu {
 }
 
 impl Gpu {
+    /// Does `make`, and turns what wgpu finds wrong on the way into an error: left alone, it would panic.
+    pub(crate) fn caught<T>(&self, make: impl FnOnce() -> Result<T, GpuError>) -> Result<T, GpuError> {
+        let filters = [wgpu::ErrorFilter::OutOfMemory, wgpu::ErrorFilter::Validation, wgpu::ErrorFilter::Internal];
+        let scopes = filters.map(|filter| self.device.push_error_scope(filter));
+        let made = make();
+        // scopes are a stack: the last one pushed is the first to come off
+        let errors: Vec<_> = scopes.into_iter().rev().filter_map(|scope| pollster::block_on(scope.pop())).collect();
+        match errors.first() {
+            Some(error) => Err(GpuError::Device(error.to_string())),
+            None => made,
+        }
+    }
+
     /// Name and driver of the adapter.
     #[must_use]
     pub fn name(&self) -> String {

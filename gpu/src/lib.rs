@@ -22,3 +22,4 @@ mod pipelines;
 pub use device::{Gpu, Mode};
 pub use error::GpuError;
 pub use solver::{GpuSolver, Readback};
+pub use wgpu;

@@ -4,10 +4,11 @@ use crate::error::GpuError;
 use crate::words::{WordReport, try_words};
 
 impl Gpu {
-    /// Opens the first adapter whose name contains `wanted` (any, without), hardware before software.
+    /// Opens the first adapter whose name contains `wanted` (any, without) and that has this mode, hardware before
+    /// software.
     ///
     /// # Errors
-    /// No adapter, no device, or no strict mode on it.
+    /// No adapter of that name, or why the last of them was no good.
     pub fn open(wanted: Option<&str>, mode: Mode) -> Result<Gpu, GpuError> {
         let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
         if mode == Mode::Strict {
@@ -15,13 +16,38 @@ impl Gpu {
         }
         let instance = wgpu::Instance::new(descriptor);
         let mut adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
+        adapters.retain(|a| wanted.is_none_or(|w| a.get_info().name.contains(w)));
         adapters.sort_by_key(|a| a.get_info().device_type == wgpu::DeviceType::Cpu);
-        let matches = |a: &wgpu::Adapter| wanted.is_none_or(|w| a.get_info().name.contains(w));
-        let adapter = adapters
-            .into_iter()
-            .find(matches)
-            .ok_or_else(|| GpuError::NoAdapter { wanted: wanted.map(str::to_owned) })?;
-        Gpu::of(&adapter, mode)
+        let mut refused = GpuError::NoAdapter { wanted: wanted.map(str::to_owned) };
+        for adapter in &adapters {
+            match Gpu::of(adapter, mode) {
+                Ok(gpu) => return Ok(gpu),
+                Err(error) => refused = error,
+            }
+        }
+        Err(refused)
+    }
+
+    /// A device that the host has already, for a renderer and a fluid that share it. Strict mode needs Vulkan and
+    /// [`wgpu::Features::PASSTHROUGH_SHADERS`] among its features.
+    ///
+    /// # Errors
+    /// No strict mode on it.
+    pub fn with_device(
+        device: wgpu::Device,
+        queue: wgpu::Queue,
+        info: wgpu::AdapterInfo,
+        mode: Mode,
+    ) -> Result<Gpu, GpuError> {
+        let strict = device.features().contains(wgpu::Features::PASSTHROUGH_SHADERS);
+        if mode == Mode::Strict && (info.backend != wgpu::Backend::Vulkan || !strict) {
+            return Err(no_strict_mode(&info));
+        }
+        let gpu = Gpu { device, queue, info, mode };
+        if mode == Mode::Strict {
+            gpu.prove_words()?;
+        }
+        Ok(gpu)
     }
 
     fn of(adapter: &wgpu::Adapter, mode: Mode) -> Result<Gpu, GpuError> {
@@ -30,8 +56,7 @@ impl Gpu {
         let mut wanted = wgpu::DeviceDescriptor { label: Some("millpond"), ..Default::default() };
         if mode == Mode::Strict {
             if info.backend != wgpu::Backend::Vulkan || !adapter.features().contains(strict) {
-                let (adapter, backend) = (info.name, info.backend.to_string());
-                return Err(GpuError::NoStrictMode { adapter, backend });
+                return Err(no_strict_mode(&info));
             }
             wanted.required_features = strict;
             wanted.experimental_features = experimental();
@@ -42,11 +67,7 @@ impl Gpu {
         wanted.required_limits.max_buffer_size = limits.max_buffer_size;
         let (device, queue) = pollster::block_on(adapter.request_device(&wanted))
             .map_err(|e| GpuError::NoDevice { adapter: info.name.clone(), reason: e.to_string() })?;
-        let gpu = Gpu { device, queue, info, mode };
-        if mode == Mode::Strict {
-            gpu.prove_words()?;
-        }
-        Ok(gpu)
+        Gpu::with_device(device, queue, info, mode)
     }
 
     /// Refuses a device whose words differ from core's.
@@ -58,6 +79,10 @@ impl Gpu {
             }
         }
     }
+}
+
+fn no_strict_mode(info: &wgpu::AdapterInfo) -> GpuError {
+    GpuError::NoStrictMode { adapter: info.name.clone(), backend: info.backend.to_string() }
 }
 
 #[expect(unsafe_code, reason = "wgpu counts pass-through among its experimental features")]

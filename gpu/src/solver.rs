@@ -64,10 +64,14 @@ impl GpuSolver {
     /// # Errors
     /// A scene too large for the device, or a shader refused.
     pub fn new(gpu: &Gpu, solver: &Solver<'_>) -> Result<GpuSolver, GpuError> {
-        let buffers = Buffers::of(gpu, solver)?;
         let parameters = solver.parameters();
         let plan = solver.plan();
-        let commands = commands(gpu, plan, &buffers, [parameters.particle_count, parameters.cells[3]])?;
+        let counts = [parameters.particle_count, parameters.cells[3]];
+        let (buffers, commands) = gpu.caught(|| {
+            let buffers = Buffers::of(gpu, solver)?;
+            let commands = commands(gpu, plan, &buffers, counts)?;
+            Ok((buffers, commands))
+        })?;
         Ok(GpuSolver {
             gpu: gpu.clone(),
             buffers,
@@ -82,7 +86,8 @@ impl GpuSolver {
     /// Makes `count` time steps; reads back nothing but the status, and that every [`STEPS_PER_STATUS`] steps.
     ///
     /// # Errors
-    /// A step that could not be made; the fluid then is as it was before that step.
+    /// A step that could not be made; the fluid then is as it was before that step, and no further step is made: start
+    /// again from [`GpuSolver::read`] with another scene.
     pub fn step(&mut self, count: u32) -> Result<(), GpuError> {
         let mut left = count;
         while left > 0 {
@@ -93,7 +98,7 @@ impl GpuSolver {
                 encoder.clear_buffer(&self.buffers.head, size_of::<Status>() as u64, None);
                 record(&self.commands, &mut encoder, old);
             }
-            self.gpu.queue.submit([encoder.finish()]);
+            self.gpu.caught(|| Ok(self.gpu.queue.submit([encoder.finish()])))?;
             let status = self.status()?;
             self.steps = u64::from(status.steps);
             if status.failed != 0 {
@@ -107,6 +112,19 @@ impl GpuSolver {
     /// Which state is the fluid: they trade places at each step that counts.
     fn current(&self) -> usize {
         (self.steps - self.first_step) as usize % 2
+    }
+
+    /// The positions on the device, `[f32; 4]` each with w unused, sorted by cell: for a renderer that shares it
+    /// ([`Gpu::with_device`]). Another buffer after each step that counts, one of two.
+    #[must_use]
+    pub fn position_buffer(&self) -> &wgpu::Buffer {
+        &self.buffers.states[self.current()].position
+    }
+
+    /// The velocities, likewise.
+    #[must_use]
+    pub fn velocity_buffer(&self) -> &wgpu::Buffer {
+        &self.buffers.states[self.current()].velocity
     }
 
     /// What the device has to say for itself.

@@ -24,6 +24,16 @@ const WORDS: &[Word] = &[
     Word { name: "smaller", wgsl: "smaller(v.x, v.y)", rust: |v| smaller(v[0], v[1]) },
     Word { name: "select", wgsl: "select(v.x, v.y, less(v.z, v.x))", rust: |v| select(v[0], v[1], less(v[2], v[0])) },
     Word { name: "flush", wgsl: "flush(v.x * 1.0e-38f)", rust: |v| flush(v[0] * 1.0e-38) },
+    // beyond the usual range: large and small operands, and what a device that flushes denormals gives away
+    Word { name: "div, wide", wgsl: "div(v.x * 1.0e20f, v.w * 1.0e-15f)", rust: |v| div(v[0] * 1e20, v[3] * 1e-15) },
+    Word { name: "root, wide", wgsl: "root(v.w * 1.0e-30f)", rust: |v| root(v[3] * 1e-30) },
+    Word { name: "denormal product", wgsl: "v.x * 1.0e-38f * v.y", rust: |v| v[0] * 1e-38 * v[1] },
+    Word {
+        name: "denormal sum",
+        wgsl: "(v.x - v.y) * 1.0e-38f + v.z * 1.0e-38f",
+        rust: |v| (v[0] - v[1]) * 1e-38 + v[2] * 1e-38,
+    },
+    Word { name: "floor", wgsl: "floor(v.x * 1000.0f)", rust: |v| (v[0] * 1000.0).floor() },
     Word { name: "product into sum", wgsl: "v.x * v.y + v.z", rust: |v| v[0] * v[1] + v[2] },
     // written (x + y) * z by the optimisers of two drivers, unless they are told not to
     Word { name: "common factor", wgsl: "v.x * v.z + v.y * v.z", rust: |v| v[0] * v[2] + v[1] * v[2] },

@@ -19,7 +19,7 @@ pub struct Options {
     #[command(flatten)]
     common: Common,
     /// Steps to time
-    #[arg(long, default_value_t = 50, value_name = "N")]
+    #[arg(long, default_value_t = 50, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     steps: u32,
     /// Steps to make before
     #[arg(long, default_value_t = 0, value_name = "N")]
@@ -128,14 +128,18 @@ fn bench(named: &Named, options: &Options) -> Result<Bench, Failure> {
     let pool = Pool::new(options.common.threads)?;
     let mut heap = Heap::of(scene);
     let mut solver = start(&named.name, scene, &mut heap)?;
-    if let Some(simd) = options.simd {
-        solver = solver.at_level(match simd {
+    if let Some(name) = options.simd {
+        let simd = match name {
             SimdName::Scalar => Simd::Scalar,
             SimdName::Base => Simd::Base,
             SimdName::Avx2 => Simd::Avx2,
-        });
+        };
+        if options.backend == BackendName::Gpu || simd.or_best() != simd {
+            return Err(Failure::Call(format!("--simd {name:?} is not to be had here").to_lowercase()));
+        }
+        solver = solver.at_level(simd);
     }
-    let bar = progress(&format!("bench {}", named.name), u64::from(options.warm_up + options.steps));
+    let bar = progress(&format!("bench {}", named.name), u64::from(options.warm_up) + u64::from(options.steps));
     let timed = match options.backend {
         BackendName::Cpu => time_cpu(&mut solver, &pool, options, &bar)?,
         BackendName::Gpu => time_gpu(&solver, options, &bar)?,

@@ -4,7 +4,7 @@ use crate::fluid::Snapshot;
 use crate::memory::Heap;
 use millpond_core::layout::f32x4;
 use millpond_core::report::DensityError;
-use millpond_core::scene::{Place, Scene};
+use millpond_core::scene::{GridStructure, Place, Scene};
 use millpond_core::{Needs, Plan, Solver};
 use serde::Serialize;
 
@@ -49,6 +49,10 @@ impl From<DensityError> for MeanMax {
 /// A state that no step could start from.
 pub fn census(scene: &Scene, state: &Snapshot) -> Result<Census, Failure> {
     let count = state.position.len();
+    // walls may have moved particles into cells that are full: the index sort takes any number
+    let mut scene = scene.clone();
+    scene.grid.structure = GridStructure::IndexSort;
+    let scene = &scene;
     let mut heap = Heap::with(Needs { particles: count, ..Needs::of(scene) });
     let vector = |[x, y, z, _]: f32x4| [x, y, z];
     let places = state.position.iter().zip(&state.velocity);

@@ -34,7 +34,7 @@ pub enum Failure {
     #[error(transparent)]
     Gpu(GpuError),
     /// A file could not be read or written.
-    #[error("{}: {error}", .path.display())]
+    #[error("{error}: {}", .path.display())]
     File {
         /// Which.
         path: PathBuf,

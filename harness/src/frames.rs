@@ -28,13 +28,14 @@ impl<'a> Film<'a> {
         Film { scene: None, steps: std::collections::VecDeque::new(), pictures: Vec::new() }
     }
 
-    /// `count` pictures in `folder`, the last one of the last of `steps` steps and, if there are more, the first one of
+    /// `count` pictures in `folder`, but no more than there are states: the last one of the last of `steps` steps and, if there are more, the first one of
     /// the start.
     #[must_use]
     pub fn new(named: &'a Named, folder: &Path, count: u64, steps: u64) -> Film<'a> {
-        let parts = count.saturating_sub(1).max(1);
-        let mut at: Vec<u64> = (0..count).rev().map(|i| steps - steps * i / parts).collect();
-        at.dedup();
+        let count = count.min(steps.saturating_add(1));
+        let parts = u128::from(count.saturating_sub(1).max(1));
+        let before_end = |i: u64| (u128::from(steps) * u128::from(i) / parts) as u64;
+        let at: Vec<u64> = (0..count).rev().map(|i| steps - before_end(i)).collect();
         Film { scene: Some((named, folder.to_owned())), steps: at.into(), pictures: Vec::new() }
     }
 

@@ -3,6 +3,7 @@
 //! The cells wrap around, so far particles may share one; the distance test sorts them out. The stencil runs z, then y,
 //! then x ascending in unwrapped coordinates, and members of a cell stand in the order of their ids: this order of
 //! summation is part of the specification, and no structure, grid size or history changes it.
+use crate::executor::share_of;
 use crate::layout::{Parameters, f32x4};
 use core::ops::Range;
 
@@ -70,7 +71,7 @@ impl Cells<'_> {
     pub fn shares(self, parts: usize, particles: usize) -> impl Iterator<Item = (Range<usize>, Range<usize>)> {
         let mut from = 0;
         (1..=parts).map(move |part| {
-            let target = particles * part / parts;
+            let target = share_of(particles, part, parts);
             let to = if part == parts {
                 self.begin.len()
             } else {

@@ -1,11 +1,12 @@
 //! Density of each particle from its neighbours, and the pressures that follow.
 //!
-//! A block is up to `LANES` particles of one cell, one a lane, which walk the common candidates together. Candidates that
-//! none of them can see add exact zeros, so they are skipped; the others make the block's neighbour list for the force.
+//! A block is up to `LANES` particles of one cell, one a lane, which walk the common candidates together: first to list
+//! those that any of them can see, then to sum over that list, which the force pass uses too. Who is not listed would
+//! add exact zeros.
 use super::{Setup, load};
 use crate::arithmetic::level::Work;
 use crate::arithmetic::real::{Real, less, real, vec3};
-use crate::executor::{Executor, Jobs, parts, take};
+use crate::executor::{Executor, Jobs, parts, share_of, take};
 use crate::grid::{Cells, Stencil};
 use crate::layout::f32x4;
 use crate::terms::density::{density_close, density_neighbour, volume_close};
@@ -44,7 +45,7 @@ pub(crate) fn run(
     let mut jobs = Jobs::new();
     for (cells, slots) in sorted.shares(parts(executor), particles) {
         // each job's part of the lists, in proportion to its particles
-        let [first_entry, last_entry] = [slots.start, slots.end].map(|slot| entries * slot / particles.max(1));
+        let [first_entry, last_entry] = [slots.start, slots.end].map(|slot| share_of(entries, slot, particles.max(1)));
         let job = Job {
             setup,
             sorted,
@@ -75,19 +76,28 @@ impl Work for &mut Job<'_> {
             let stencil = Stencil::around(p, m.layers as i32, self.sorted, cell);
             for first in members.clone().step_by(R::LANES) {
                 let end = (first + R::LANES).min(members.end);
-                let x_a = load::<R>(self.position, first, end - 1);
-                let mut sum = real::<R>(0.0);
+                // the box keeps LLVM from carrying the loops below in the shape of this load, at half their speed
+                let x_a = core::hint::black_box(load::<R>(self.position, first, end - 1));
+                let q2_of = |x_b: &f32x4| length2(x_a - vec3::splat(*x_b)) * p.inverse_support_squared;
                 let begin = used;
                 for run in stencil.runs() {
                     for (b, x_b) in run.clone().zip(&self.position[run]) {
-                        let q2 = length2(x_a - vec3::splat(*x_b)) * p.inverse_support_squared;
-                        if R::any(less(q2, one)) {
-                            sum = sum + density_neighbour(m, q2);
-                            if let Some(entry) = self.list.get_mut(used) {
-                                *entry = b as u32;
-                            }
-                            used += 1;
+                        // written always, kept if any lane sees it: cheaper than a branch that nobody can predict
+                        if let Some(entry) = self.list.get_mut(used) {
+                            *entry = b as u32;
                         }
+                        used += usize::from(R::any(less(q2_of(x_b), one)));
+                    }
+                }
+                let listed = used <= self.list.len();
+                let mut sum = real::<R>(0.0);
+                if listed {
+                    for &b in &self.list[begin..used] {
+                        sum = sum + density_neighbour(m, q2_of(&self.position[b as usize]));
+                    }
+                } else {
+                    for x_b in stencil.runs().flat_map(|run| &self.position[run]) {
+                        sum = sum + density_neighbour(m, q2_of(x_b));
                     }
                 }
                 let density = density_close(p, sum);
@@ -99,7 +109,6 @@ impl Work for &mut Job<'_> {
                     let of = |x: R| x.lane(lane);
                     *out = [of(density), of(pressure), of(near_pressure), of(volume)];
                 }
-                let listed = used <= self.list.len();
                 let length = if listed { (used - begin) as u32 } else { NOT_LISTED };
                 self.block[own] = [(self.first_entry + begin) as u32, length];
                 if !listed {

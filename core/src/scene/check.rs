@@ -1,10 +1,10 @@
 //! What makes a scene impossible, said before anything is touched.
-use super::{Dimension, GridStructure, Scene, lattice};
+use super::{Container, Dimension, Face, GridStructure, Scene, lattice};
 use crate::error::SceneError;
-use crate::guided::{parameters, support_radius};
+use crate::guided::parameters;
 
 /// Most particles of a scene: an id shares a word with an axis or a quantity in an error report.
-const MOST_PARTICLES: u64 = 1 << 30;
+const MOST_PARTICLES: u64 = (1 << 30) - 1;
 
 impl Scene {
     /// Refuses a scene that cannot run, naming the field and its value.
@@ -27,14 +27,20 @@ impl Scene {
             }
         }
         // what follows from the fields must be a number too
-        positive("particle_spacing", support_radius(self) as f32)?;
         let derived = parameters(self);
-        positive("fluid.rest_density", derived.particle_mass)?;
-        positive("fluid.speed_of_sound", derived.state_stiffness)?;
-        finite("fluid.near_stiffness", &[derived.near_stiffness])?;
-        let constants = [derived.density_constant, derived.pressure_constant, derived.near_constant];
-        constants.iter().try_for_each(|constant| positive("particle_spacing", *constant))?;
-        positive("particle_spacing", derived.viscosity_constant)
+        let scale = |field, value, derived: &[f32]| {
+            let fine = derived.iter().all(|d| d.is_finite() && *d > 0.0);
+            if fine { Ok(()) } else { Err(SceneError::OutOfScale { field, value }) }
+        };
+        scale("fluid.speed_of_sound", self.fluid.speed_of_sound, &[derived.state_stiffness])?;
+        if self.model.near_pressure && self.fluid.near_stiffness.is_none() {
+            scale("fluid.speed_of_sound", self.fluid.speed_of_sound, &[derived.near_stiffness])?;
+        }
+        scale("fluid.rest_density", self.fluid.rest_density, &[derived.particle_mass, derived.density_constant])?;
+        let lengths = [derived.inverse_cell, derived.inverse_support_squared, derived.pressure_constant];
+        scale("particle_spacing", self.particle_spacing, &lengths)?;
+        let constants = [derived.near_constant, derived.viscosity_constant];
+        scale("particle_spacing", self.particle_spacing, &constants)
     }
 
     fn check_fluid(&self) -> Result<(), SceneError> {
@@ -47,15 +53,19 @@ impl Scene {
 
     fn check_blocks(&self) -> Result<(), SceneError> {
         let mut particles = 0u64;
-        for block in &self.blocks {
-            finite("blocks.corner", &block.corner)?;
-            finite("blocks.velocity", &block.velocity)?;
-            not_negative("blocks.jitter", block.jitter)?;
-            for &size in &block.size[..self.dimension.count()] {
+        for (block, b) in self.blocks.iter().enumerate() {
+            finite("blocks.corner", &b.corner)?;
+            finite("blocks.velocity", &b.velocity)?;
+            not_negative("blocks.jitter", b.jitter)?;
+            let counts = lattice::counts(b, self);
+            for axis in 0..self.dimension.count() {
+                let size = b.size[axis];
                 positive("blocks.size", size)?;
+                if counts[axis] == 0 {
+                    return Err(SceneError::EmptyBlock { block, axis, size });
+                }
             }
-            let [x, y, z] = lattice::counts(block, self);
-            particles = particles.saturating_add(x.saturating_mul(y).saturating_mul(z));
+            particles = particles.saturating_add(counts.iter().fold(1, |all, &n| all.saturating_mul(n)));
         }
         check_count(particles)
     }
@@ -71,18 +81,37 @@ impl Scene {
             }
         }
         share("container.bounce", container.bounce)?;
-        share("container.slip", container.slip)
+        share("container.slip", container.slip)?;
+        self.check_blocks_inside(container)
+    }
+
+    /// A block that reaches through a closed wall would be crushed onto it by the first step.
+    fn check_blocks_inside(&self, container: &Container) -> Result<(), SceneError> {
+        // sizes are rounded to whole particles, and ends computed in f32
+        let slack = 0.51 * self.particle_spacing;
+        for (block, b) in self.blocks.iter().enumerate() {
+            for axis in 0..self.dimension.count() {
+                let [low_face, high_face] = [Face::ALL[2 * axis], Face::ALL[2 * axis + 1]];
+                let below = container.low[axis] - b.corner[axis];
+                let above = b.corner[axis] + b.size[axis] - container.high[axis];
+                for (face, by) in [(low_face, below), (high_face, above)] {
+                    if by > slack && !container.open.contains(&face) {
+                        return Err(SceneError::BlockOutside { block, axis, by });
+                    }
+                }
+            }
+        }
+        Ok(())
     }
 
     fn check_grid(&self) -> Result<(), SceneError> {
-        for axis in 0..3 {
+        for axis in 0..self.dimension.count() {
             let cells = self.grid.cells[axis];
-            let layer = axis == 2 && self.dimension == Dimension::Two;
-            if (layer && cells != 1) || (!layer && cells < 3) {
-                return Err(SceneError::TooFewCells { axis, cells, layer });
+            if cells < 3 {
+                return Err(SceneError::TooFewCells { axis, cells });
             }
         }
-        let total = self.grid.cells.iter().try_fold(1u32, |total, &cells| total.checked_mul(cells));
+        let total = self.cells().iter().try_fold(1u32, |total, &cells| total.checked_mul(cells));
         let places = match self.grid.structure {
             GridStructure::IndexSort => 1,
             GridStructure::CellLists { places } => places,
@@ -94,6 +123,13 @@ impl Scene {
             return Err(SceneError::TooManyCells { cells: self.grid.cells, places });
         }
         Ok(())
+    }
+
+    /// Cells along x, y, z: those of `grid`, and in 2D one along z.
+    #[must_use]
+    pub fn cells(&self) -> [u32; 3] {
+        let [x, y, z] = self.grid.cells;
+        [x, y, if self.dimension == Dimension::Two { 1 } else { z }]
     }
 
     /// Particles of a scene that [`Scene::check`] accepts.

@@ -146,7 +146,7 @@ impl Default for ModelChoice {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
 pub struct Grid {
-    /// Cells along x, y, z (default 32 each, S0 section 4.2.2). At least 3; in 2D exactly 1 along z. Too few and far
+    /// Cells along x, y, z (default 32 each, S0 section 4.2.2). At least 3; in 2D the one along z is ignored. Too few and far
     /// particles share cells, which costs time and never a bit.
     pub cells: [u32; 3],
     /// How particles get into cells.

@@ -37,18 +37,20 @@ pub fn pressure_neighbour<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Lo
 #[inline(always)]
 pub fn force_neighbour<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>) -> vec3<R> {
     let x_ab = a.position - b.position;
-    let r = root(length2(x_ab));
-    let q = r * p.inverse_support;
+    // from the same q^2 by which the loops tell neighbours, so that who is not one adds exact zeros
+    let q = root(length2(x_ab) * p.inverse_support_squared);
     let one: R = real(1.0);
     // two particles at one place have no direction: they do not push each other
-    let inverse_r = select(real(0.0), div(one, r), less(real(0.0), r));
-    let pushed = x_ab * (pressure_neighbour(m, p, a, b, q) * inverse_r);
+    let inverse_r = select(real(0.0), div(real(p.inverse_support), q), less(real(0.0), q));
+    let push = pressure_neighbour(m, p, a, b, q) * inverse_r;
+    // where a pressure is infinite, a zero slope alone would not keep it out
+    let pushed = x_ab * select(real(0.0), push, less(q, one));
     if m.viscosity == 0 {
         return pushed;
     }
     let laplacian = viscosity_laplacian(q) * p.viscosity_constant;
     let drag = viscosity_mueller(real(p.dynamic_viscosity), b.volume, laplacian);
-    return pushed + (a.velocity - b.velocity) * drag;
+    return pushed + (a.velocity - b.velocity) * select(real(0.0), drag, less(q, one));
 }
 
 /// Acceleration of `a` (S0 eq. 2.8): the summed force density over its density, and gravity, m/s2.

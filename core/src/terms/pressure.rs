@@ -22,8 +22,9 @@ pub fn pressure_mueller<R: Real>(pressure_a: R, pressure_b: R, volume_b: R, slop
 #[inline(always)]
 pub fn pressure_monaghan<R: Real>(pressure_a: R, pressure_b: R, volume_a: R, volume_b: R, slope: R) -> R {
     let one: R = real(1.0);
-    let both = pressure_a * (volume_a * volume_a) + pressure_b * (volume_b * volume_b);
-    return both * div(one, volume_a) * slope;
+    // the ratio, since the square of a volume is soon too small for f32
+    let ratio = volume_b * div(one, volume_a);
+    return (pressure_a * volume_a + pressure_b * volume_b * ratio) * slope;
 }
 
 /// The chosen form.
