@@ -1,5 +1,5 @@
 //! Promise: what compares states sees a single value that is off by one unit in the last place, wherever it is.
-use millpond::compare::{Difference, PerQuantity, difference, ulp_distance};
+use millpond::compare::{Difference, Paths, PerQuantity, compare, difference, ulp_distance};
 use millpond::fluid::Snapshot;
 use millpond::memory::Heap;
 use millpond_core::{Serial, Solver};
@@ -73,4 +73,23 @@ fn ulps_count_floats() {
     assert_eq!(ulp_distance(-0.0, 0.0), 1);
     assert_eq!(ulp_distance(-f32::from_bits(1), f32::from_bits(1)), 3);
     assert_eq!(ulp_distance(f32::MIN, f32::MAX), u32::MAX - (1 << 24));
+}
+
+#[test]
+fn compare_tells_of_one_ulp_in_one_step() {
+    let named = support::scaled("dam-break-2d", 200);
+    let paths = Paths { cpu: true, threads: 2, devices: Vec::new() };
+    let clean = compare(&named, 8, &paths, &mut |_, _| ()).expect("a comparison");
+    assert!(clean.kept() && clean.pairs.iter().all(|p| p.bit_equal));
+
+    let mut meddle = |step: u64, state: &mut Snapshot| {
+        if step == 5 {
+            state.velocity[7][1] = state.velocity[7][1].next_up();
+        }
+    };
+    let told = compare(&named, 8, &paths, &mut meddle).expect("a comparison");
+    assert!(!told.kept());
+    let [meddled, others @ ..] = &told.pairs[..] else { panic!("no pairs") };
+    assert_eq!((meddled.bit_equal, meddled.first_divergent_step, meddled.max_ulp.velocity), (false, Some(5), 1));
+    assert!(others.iter().all(|p| p.bit_equal) && !others.is_empty());
 }

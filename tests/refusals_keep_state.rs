@@ -4,8 +4,8 @@ use millpond::fluid::Snapshot;
 use millpond::memory::Heap;
 use millpond_core::error::Quantity;
 use millpond_core::scene::{GridStructure, Place, Scene};
-use millpond_core::{Needs, Plan, SceneError, Serial, Solver, StepError};
-use millpond_gpu::{GpuError, GpuSolver, Mode};
+use millpond_core::{Needs, Plan, SceneError, Serial, Simd, Solver, StepError};
+use millpond_gpu::{Gpu, GpuError, GpuSolver, Mode};
 
 mod support;
 use support::{device, heap_for};
@@ -17,9 +17,15 @@ fn places(at: &[([f32; 3], [f32; 3])]) -> Vec<Place> {
 
 /// Steps both backends until they refuse; asserts that they do so with `error`, after `steps` good steps, keeping the state.
 fn refuses(test: &str, scene: &Scene, places: &[Place], steps: u64, error: StepError) {
+    for simd in [Simd::Scalar, Simd::detect()] {
+        refuses_at(simd, test, scene, places, steps, error);
+    }
+}
+
+fn refuses_at(simd: Simd, test: &str, scene: &Scene, places: &[Place], steps: u64, error: StepError) {
     let mut heap = heap_for(scene, places.len());
     let start = Solver::with_particles(scene, Plan::of(scene), places.len(), places.iter().copied(), heap.lend());
-    let mut solver = start.expect("a scene that starts");
+    let mut solver = start.expect("a scene that starts").at_level(simd);
     let on_device =
         device(test, Mode::Strict).map(|gpu| GpuSolver::new(&gpu, &solver).expect("a device that takes it"));
 
@@ -80,7 +86,11 @@ fn a_quantity_that_is_not_finite_any_more() {
     // so stiff a fluid that the first pair to meet overflows; apart, nothing acts. Both overflow: the smaller id is named
     let set = ["speed_of_sound=1e18", "near_pressure=false", "pressure_kernel=CubicSpline"];
     let scene = support::scene("thesis-cube", &set).file.scene;
-    let places = places(&[([0.0; 3], [0.0; 3]), ([5.0, 0.0, 0.0], [0.0; 3]), ([5.1, 0.0, 0.0], [-50.0, 0.0, 0.0])]);
+    // particle 0 stands in the cell of particle 1, out of everyone's reach, and must not be drawn in by a lane beside it
+    let at = [[4.945, 0.0, 0.0], [5.025, 0.06, 0.06], [5.125, 0.06, 0.06]];
+    let cell = |x: [f32; 3]| x.map(|x| (x * millpond_core::guided::parameters(&scene).inverse_cell).floor());
+    assert_eq!(cell(at[0]), cell(at[1]));
+    let places = places(&[(at[0], [0.0; 3]), (at[1], [0.0; 3]), (at[2], [-50.0, 0.0, 0.0])]);
     let error = StepError::NotFinite { particle: 1, quantity: Quantity::Velocity, step: 1 };
     refuses("not finite", &scene, &places, 0, error);
 }
@@ -165,4 +175,32 @@ fn scenes_that_cannot_be() {
     let mut flat = support::scene("dam-break-2d", &[]).file.scene;
     flat.gravity[2] = 1.0;
     assert_eq!(flat.check(), Err(SceneError::OutOfPlane));
+}
+
+#[test]
+fn plans_and_places_that_do_not_fit() {
+    let scene = support::scene("dam-break-2d", &[]).file.scene;
+    let start = |plan, count, at: &[Place]| {
+        let mut heap = heap_for(&scene, count);
+        Solver::with_particles(&scene, plan, count, at.iter().copied(), heap.lend()).err()
+    };
+    let plan = Plan::of(&scene);
+    let one = places(&[([0.5, 0.5, 0.0], [0.0; 3])]);
+    assert_eq!(start(plan, 1, &one), None);
+    let spatial = Plan::of(&support::scene("dam-break", &[]).file.scene);
+    assert_eq!(start(spatial, 1, &one), Some(SceneError::PlanOfAnotherScene));
+    let off = places(&[([0.5, 0.5, 0.1], [0.0; 3])]);
+    assert_eq!(start(plan, 1, &off), Some(SceneError::OutOfPlane));
+    let short = SceneError::CapacityExceeded { what: "places of particles", needed: 2, capacity: 1 };
+    assert_eq!(start(plan, 2, &one), Some(short));
+    let over = SceneError::CapacityExceeded { what: "particles", needed: 1, capacity: 0 };
+    assert_eq!(start(plan, 0, &one), Some(over));
+}
+
+#[test]
+fn a_device_and_a_shader_that_are_not_there() {
+    let missing = Gpu::open(Some("no such adapter"), Mode::Plain);
+    assert!(matches!(missing, Err(GpuError::NoAdapter { wanted: Some(name) }) if name == "no such adapter"));
+    let refused = millpond_gpu::strict::spirv("fn f() -> u32 { return 1.0; }");
+    assert!(matches!(refused, Err(GpuError::Shader(message)) if message.contains("return")));
 }

@@ -70,6 +70,13 @@ impl Solver<'_> {
         pairs as f64 / self.slots().len().max(1) as f64
     }
 
+    /// Particles of the fullest cell: cell lists with fewer places would refuse this state.
+    #[must_use]
+    pub fn fullest_cell(&mut self) -> u32 {
+        self.sort_again();
+        self.memory.scratch.counter.iter().copied().max().unwrap_or(0)
+    }
+
     /// Slots by cell and id, into `order`. Walls move particles after a step has sorted them, and a failed step leaves
     /// the cells of its attempt behind.
     fn sort_again(&mut self) {

@@ -58,7 +58,7 @@ pub struct Memory<'m> {
 }
 
 /// How much memory a scene needs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Needs {
     /// Particles.
     pub particles: usize,
@@ -80,12 +80,32 @@ impl Needs {
         Needs { particles: scene.particle_count(), cells, places }
     }
 
+    /// The arrays, with their bytes.
+    #[must_use]
+    pub fn arrays(&self) -> [(&'static str, usize); 12] {
+        let Needs { particles, cells, places } = *self;
+        let (vectors, words) = (2 * particles * size_of::<f32x4>(), particles * size_of::<u32>());
+        let of_cells = cells * size_of::<u32>();
+        [
+            ("position", vectors),
+            ("velocity", vectors),
+            ("acceleration", vectors),
+            ("density_pressure", vectors),
+            ("id", 2 * words),
+            ("slot", words),
+            ("cell, rank, order", 3 * words),
+            ("block", 2 * words),
+            ("neighbour lists", LIST_ENTRIES * words),
+            ("begin", of_cells),
+            ("counter", of_cells),
+            ("grid_cells", places * size_of::<u32>()),
+        ]
+    }
+
     /// Bytes of the arrays.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        let state = 4 * size_of::<f32x4>() + size_of::<u32>();
-        let scratch = (4 + 2 + LIST_ENTRIES) * size_of::<u32>();
-        self.particles * (2 * state + scratch) + (2 * self.cells + self.places) * size_of::<u32>()
+        self.arrays().iter().map(|(_, bytes)| bytes).sum()
     }
 }
 

@@ -27,6 +27,9 @@ pub struct Common {
     /// One JSON document on stdout, everything else on stderr
     #[arg(long)]
     pub json: bool,
+    /// Folder for reports, plots and pictures
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 /// How long a scene runs.
@@ -53,12 +56,4 @@ impl Length {
             None => Err(Failure::Call(format!("--time {seconds} is no length of time"))),
         }
     }
-}
-
-/// Where results go.
-#[derive(Clone, Debug, Default, Args)]
-pub struct Out {
-    /// Folder for pictures and reports
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
 }

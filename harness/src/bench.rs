@@ -4,7 +4,7 @@ use crate::census::{FirstLast, census};
 use crate::failure::Failure;
 use crate::fluid::{Snapshot, start};
 use crate::memory::Heap;
-use crate::output::{print_json, progress};
+use crate::output::{deliver, progress};
 use crate::pool::Pool;
 use crate::scenes::{Changes, Named, load};
 use crate::timing::{Milliseconds, timed};
@@ -114,11 +114,7 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
     } else {
         bench(&load(&options.common.scene, &options.common.changes)?, options)?
     };
-    if options.common.json {
-        print_json(&result)?;
-    } else {
-        print!("{}", table(&result));
-    }
+    deliver(&options.common, "bench", &result, &table(&result))?;
     Ok(true)
 }
 

@@ -1,5 +1,6 @@
 //! The commands.
 use crate::failure::Failure;
+use crate::output::{print_json, say};
 use crate::scenes::{BUILT_IN, Changes, load};
 use crate::{bench, compare, error_study, plan_view, run, showcase};
 use clap::{Parser, Subcommand};
@@ -53,19 +54,19 @@ impl Cli {
 }
 
 fn list_scenes(json: bool) -> Result<bool, Failure> {
-    let mut all = Vec::new();
+    let (mut all, mut words) = (Vec::new(), String::new());
     for (name, _) in BUILT_IN {
         let file = load(name, &Changes::default())?.file;
         let (particles, duration_s) = (file.scene.particle_count(), file.duration);
-        if !json {
-            println!("{name:14} {particles:6} particles, {duration_s} s: {}", file.about);
-        }
+        words += &format!("{name:14} {particles:6} particles, {duration_s} s: {}\n", file.about);
         all.push(serde_json::json!({
             "name": name, "about": file.about, "particles": particles, "duration_s": duration_s
         }));
     }
     if json {
-        println!("{}", serde_json::Value::Array(all));
+        print_json(&all)?;
+    } else {
+        say(&words)?;
     }
     Ok(true)
 }

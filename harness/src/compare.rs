@@ -3,12 +3,12 @@ use crate::arguments::{BackendName, Common, Length};
 use crate::failure::Failure;
 use crate::fluid::{Snapshot, device_if_any, start};
 use crate::memory::Heap;
-use crate::output::{print_json, progress};
+use crate::output::{deliver, progress};
 use crate::pool::Pool;
-use crate::scenes::{Named, load};
+use crate::scenes::{MOST_BYTES, Named, load};
 use crate::timing::{Milliseconds, timed};
 use millpond_core::scene::{GridStructure, Scene};
-use millpond_core::{Simd, Solver};
+use millpond_core::{Needs, Simd, Solver};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 use serde::Serialize;
 
@@ -67,6 +67,8 @@ pub struct Pair {
     pub first_difference: Option<String>,
     /// Does this path promise bits?
     pub promised: bool,
+    /// Why it stopped early, if it did.
+    pub failure: Option<String>,
     /// Time of a step of `b`, reading a device back included.
     pub ms_per_step: Milliseconds,
 }
@@ -138,39 +140,58 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
         None => device_if_any()?,
     };
     let plain = if options.plain { Some(Gpu::open(None, Mode::Plain)?) } else { None };
-    let with_cpu = options.backend != Some(BackendName::Gpu);
-    let devices: Vec<Gpu> = gpu.into_iter().chain(plain).collect();
-    let comparison = compare(&named, steps, with_cpu, &devices)?;
-    if options.common.json {
-        print_json(&comparison)?;
-    } else {
-        print!("{}", table(&comparison));
-    }
+    let paths = Paths {
+        cpu: options.backend != Some(BackendName::Gpu),
+        threads: if options.common.threads == 0 { 2 } else { options.common.threads },
+        devices: gpu.into_iter().chain(plain).collect(),
+    };
+    let comparison = compare(&named, steps, &paths, &mut |_, _| ())?;
+    deliver(&options.common, "compare", &comparison, &table(&comparison))?;
     Ok(comparison.kept())
 }
 
-/// The same fluid by the other of the two ways to find neighbours.
-fn other_grid(scene: &Scene) -> Scene {
+/// What is held against the scalar path.
+#[derive(Debug)]
+pub struct Paths {
+    /// The other paths of the CPU.
+    pub cpu: bool,
+    /// Threads of the one that has several.
+    pub threads: usize,
+    /// Devices.
+    pub devices: Vec<Gpu>,
+}
+
+/// The same fluid by the other of the two ways to find neighbours, with room for cells four times as full as at the start.
+fn other_grid(scene: &Scene, solver: &mut Solver<'_>) -> Scene {
     let mut other = scene.clone();
     other.grid.structure = match scene.grid.structure {
-        // more than a compressed cell ever held in the built-in scenes
-        GridStructure::IndexSort => GridStructure::CellLists { places: 64 },
+        GridStructure::IndexSort => {
+            GridStructure::CellLists { places: solver.fullest_cell().saturating_mul(4).max(64) }
+        }
         GridStructure::CellLists { .. } => GridStructure::IndexSort,
     };
     other
 }
 
-/// Holds every path against the scalar one over `steps` steps.
+/// Holds every path against the scalar one over `steps` steps. `meddle` may change what the first of them says before it
+/// is looked at: so a test shows that the comparison can fail.
 ///
 /// # Errors
-/// A scene that cannot run, a step that cannot be made.
-pub fn compare(named: &Named, steps: u64, with_cpu: bool, devices: &[Gpu]) -> Result<Comparison, Failure> {
+/// A scene that cannot run; a step that the scalar path cannot make. A path that fails alone is told in its pair.
+pub fn compare(
+    named: &Named,
+    steps: u64,
+    paths: &Paths,
+    meddle: &mut dyn FnMut(u64, &mut Snapshot),
+) -> Result<Comparison, Failure> {
     let scene = &named.file.scene;
-    let other = other_grid(scene);
-    let (one, two) = (Pool::new(1)?, Pool::new(2)?);
-    let mut heaps = [scene, scene, scene, scene, &other].map(Heap::of);
-    let [first, base_heap, best_heap, two_heap, other_heap] = &mut heaps;
+    let (one, many) = (Pool::new(1)?, Pool::new(paths.threads)?);
+    let mut heaps = [scene; 4].map(Heap::of);
+    let [first, base_heap, best_heap, many_heap] = &mut heaps;
     let mut reference = start(&named.name, scene, first)?.at_level(Simd::Scalar);
+    let other = other_grid(scene, &mut reference);
+    let with_other = other.check().is_ok() && Needs::of(&other).bytes() <= MOST_BYTES;
+    let mut other_heap = if with_other { Heap::of(&other) } else { Heap::with(Needs::default()) };
     let mut rivals = Vec::new();
     let mut enter = |b: String, promised: bool, path| {
         let pair = Pair {
@@ -183,27 +204,32 @@ pub fn compare(named: &Named, steps: u64, with_cpu: bool, devices: &[Gpu]) -> Re
             within_tolerance: true,
             first_difference: None,
             promised,
+            failure: None,
             ms_per_step: Milliseconds::default(),
         };
         rivals.push(Rival { path, pair, times: Vec::new() });
     };
-    for gpu in devices {
+    for gpu in &paths.devices {
         let solver = GpuSolver::new(gpu, &reference)?;
         let mode = format!("{:?}", gpu.mode()).to_lowercase();
         enter(format!("gpu {mode}, {}", gpu.name()), gpu.mode() == Mode::Strict, Path::Gpu(Box::new(solver)));
     }
-    if with_cpu {
+    if paths.cpu {
         let mut cpu = |name: &str, scene: &Scene, heap, simd, pool| {
             let solver = start(&named.name, scene, heap)?.at_level(simd);
             enter(name.into(), true, Path::Cpu(Box::new(solver), pool));
             Ok::<_, Failure>(())
         };
         let best = Simd::detect();
-        let best_name = format!("{best:?}").to_lowercase();
+        let name = format!("cpu lanes ({best:?})").to_lowercase();
         cpu("cpu lanes (base)", scene, base_heap, Simd::Base, &one)?;
-        cpu(&format!("cpu lanes ({best_name})"), scene, best_heap, best, &one)?;
-        cpu(&format!("cpu lanes ({best_name}), 2 threads"), scene, two_heap, best, &two)?;
-        cpu(&format!("cpu lanes ({best_name}), other grid"), &other, other_heap, best, &one)?;
+        cpu(&name, scene, best_heap, best, &one)?;
+        cpu(&format!("{name}, {} threads", paths.threads), scene, many_heap, best, &many)?;
+        if with_other {
+            cpu(&format!("{name}, other grid"), &other, &mut other_heap, best, &one)?;
+        } else {
+            eprintln!("other grid left out: it needs more memory than one scene is given");
+        }
     }
 
     let bar = progress(&format!("compare {}", named.name), steps);
@@ -213,10 +239,22 @@ pub fn compare(named: &Named, steps: u64, with_cpu: bool, devices: &[Gpu]) -> Re
         made?;
         times.push(ms);
         let want = Snapshot::of_cpu(&reference);
-        for rival in &mut rivals {
+        for (i, rival) in rivals.iter_mut().enumerate().filter(|(_, rival)| rival.pair.failure.is_none()) {
             let (got, ms) = timed(|| rival.path.step());
-            let got = got?;
+            let mut got = match got {
+                Ok(got) => got,
+                Err(failure) => {
+                    rival.pair.bit_equal = false;
+                    rival.pair.within_tolerance = false;
+                    rival.pair.first_divergent_step.get_or_insert(step);
+                    rival.pair.failure = Some(failure.to_string());
+                    continue;
+                }
+            };
             rival.times.push(ms);
+            if i == 0 {
+                meddle(step, &mut got);
+            }
             if let Some(found) = difference(&want, &got) {
                 note(&mut rival.pair, step, found, scene);
             }
@@ -261,6 +299,7 @@ pub fn table(comparison: &Comparison) -> String {
     out += &format!("| cpu scalar | {:.2} | {:.2} | |\n", ms_per_step.min, ms_per_step.median);
     for pair in pairs {
         let verdict = match (&pair.first_divergent_step, &pair.first_difference) {
+            (Some(_), None) => pair.failure.clone().unwrap_or_default(),
             (None, _) => "bit-equal at every step".to_owned(),
             (Some(step), first) => {
                 let (ulp, abs) = (pair.max_ulp, pair.max_abs);

@@ -1,11 +1,11 @@
 //! `error`: how far off a case is, against how long it takes, over resolutions, time steps and formulas.
-use crate::arguments::Out;
+use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::memory::Heap;
-use crate::output::{make_folder, print_json, progress, write_text};
+use crate::output::{deliver, make_folder, progress};
 use crate::plot::{Mark, front_plot};
 use crate::pool::Pool;
-use crate::scenes::{Changes, Named, load};
+use crate::scenes::{Named, load};
 use millpond_core::Solver;
 use millpond_core::hash::tree_sum;
 use millpond_core::scene::{EquationOfState, Scene};
@@ -17,19 +17,14 @@ use std::time::Instant;
 /// Options of `error`.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Options {
-    /// The case: still-tank
-    case: String,
     #[command(flatten)]
-    out: Out,
-    /// Coarser and shorter: half a minute
+    common: Common,
+    /// Coarser and shorter: a quarter of a minute
     #[arg(long)]
     quick: bool,
-    /// Threads of the CPU backend (1 gives the steadiest times)
-    #[arg(long, default_value_t = 1, value_name = "N")]
-    threads: usize,
-    /// One JSON document on stdout
-    #[arg(long)]
-    json: bool,
+    /// Simulated seconds of each run
+    #[arg(long, value_name = "SECONDS")]
+    time: Option<f64>,
 }
 
 /// Result of `error`.
@@ -67,14 +62,22 @@ pub struct Run {
 }
 
 /// What varies: spacings, and time steps as shares of `spacing / speed_of_sound`.
-struct Ladder {
+#[derive(Clone, Copy, Debug)]
+pub struct Ladder {
     spacings: [f32; 3],
     courant: [f32; 2],
     seconds: f64,
 }
 
+/// The case that there is.
+pub const CASE: &str = "still-tank";
+
+/// Longest run that one may ask for, s.
+const LONGEST: f64 = 1000.0;
+
 const FULL: Ladder = Ladder { spacings: [0.025, 0.0125, 0.00625], courant: [0.4, 0.2], seconds: 2.0 };
-const QUICK: Ladder = Ladder { spacings: [0.05, 0.025, 0.0125], courant: [0.4, 0.2], seconds: 1.0 };
+/// Coarse and short, for the showcase.
+pub const QUICK: Ladder = Ladder { spacings: [0.05, 0.025, 0.0125], courant: [0.4, 0.2], seconds: 1.0 };
 
 /// The profile is the mean over the second half of a run, so many steps apart: the column is let go at its rest density
 /// and rings for long, and a single state would show where the sound wave just is.
@@ -85,15 +88,22 @@ const STEPS_PER_SAMPLE: u64 = 5;
 /// # Errors
 /// An unknown case, files that cannot be written.
 pub fn execute(options: &Options) -> Result<bool, Failure> {
-    if options.case != "still-tank" {
-        return Err(Failure::Call(format!("no case {:?}: there is still-tank", options.case)));
+    let common = &options.common;
+    if common.scene != CASE {
+        return Err(Failure::Call(format!("no case {:?}: there is {CASE}", common.scene)));
     }
-    let study = study(options.quick, &Pool::new(options.threads)?, options.out.out.as_deref())?;
-    if options.json {
-        print_json(&study)?;
-    } else {
-        print!("{}", table(&study));
+    if common.changes.particles.is_some() {
+        return Err(Failure::Call("--particles has no meaning here: the spacings are the study's".into()));
     }
+    let mut ladder = if options.quick { QUICK } else { FULL };
+    ladder.seconds = options.time.unwrap_or(ladder.seconds);
+    if !(ladder.seconds > 0.0 && ladder.seconds <= LONGEST) {
+        return Err(Failure::Call(format!("--time {} is not between 0 and {LONGEST} s", ladder.seconds)));
+    }
+    let base = load(CASE, &common.changes)?;
+    // one thread gives the steadiest times
+    let study = study(&base, &ladder, &Pool::new(common.threads.max(1))?, common.out.as_deref())?;
+    deliver(common, "error-still-tank", &study, &table(&study))?;
     Ok(study.runs.iter().all(|run| run.error.is_some()))
 }
 
@@ -101,9 +111,7 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
 ///
 /// # Errors
 /// Files that cannot be written.
-pub fn study(quick: bool, pool: &Pool, folder: Option<&Path>) -> Result<Study, Failure> {
-    let ladder = if quick { QUICK } else { FULL };
-    let base = load("still-tank", &Changes::default())?;
+pub fn study(base: &Named, ladder: &Ladder, pool: &Pool, folder: Option<&Path>) -> Result<Study, Failure> {
     let choices = ladder.spacings.iter().flat_map(|spacing| {
         let courant = ladder.courant.iter();
         courant.flat_map(move |c| [EquationOfState::Tait, EquationOfState::Desbrun].map(|eos| (*spacing, *c, eos)))
@@ -130,7 +138,7 @@ pub fn study(quick: bool, pool: &Pool, folder: Option<&Path>) -> Result<Study, F
             error: None,
             failure: None,
         };
-        match measure(&base, &scene, pool, ladder.seconds) {
+        match measure(base, &scene, pool, ladder.seconds) {
             Ok((error, wall_s)) => (run.error, run.wall_s) = (Some(error), wall_s),
             Err(failure) => run.failure = Some(failure.to_string()),
         }
@@ -142,13 +150,12 @@ pub fn study(quick: bool, pool: &Pool, folder: Option<&Path>) -> Result<Study, F
     let reference =
         "hydrostatic pressure p = rho0 g (H - y), H the depth at the start, against the mean over the second half"
             .into();
-    let mut study = Study { case: "still-tank".into(), runs, pareto, reference, plot: None };
+    let mut study = Study { case: CASE.into(), runs, pareto, reference, plot: None };
     if let Some(folder) = folder {
         make_folder(folder)?;
         let path = folder.join("error-still-tank.svg");
         plot(&study, &path)?;
         study.plot = Some(path);
-        write_text(&folder.join("error-still-tank.md"), &table(&study))?;
     }
     Ok(study)
 }

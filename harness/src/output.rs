@@ -1,18 +1,41 @@
 //! What a command says: one JSON document on stdout, or words.
+use crate::arguments::Common;
 use crate::failure::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
+use std::io::Write as _;
 use std::path::Path;
 use std::time::Duration;
+
+/// Says a result as the caller wants it, in JSON or in words, and leaves the words in `out` as `name.md`.
+///
+/// # Errors
+/// A number that JSON cannot hold, a file that cannot be written.
+pub fn deliver(common: &Common, name: &str, result: &impl Serialize, words: &str) -> Result<(), Failure> {
+    if let Some(folder) = &common.out {
+        make_folder(folder)?;
+        write_text(&folder.join(format!("{name}.md")), words)?;
+    }
+    if common.json { print_json(result) } else { say(words) }
+}
 
 /// Prints a result as the one JSON document.
 ///
 /// # Errors
-/// A number that JSON cannot hold.
+/// A number that JSON cannot hold, a stdout that cannot be written.
 pub fn print_json(result: &impl Serialize) -> Result<(), Failure> {
-    let text = serde_json::to_string_pretty(result).map_err(|e| Failure::System(e.to_string()))?;
-    println!("{text}");
-    Ok(())
+    say(&serde_json::to_string_pretty(result).map_err(|e| Failure::System(e.to_string()))?)
+}
+
+/// Prints words. A reader who has seen enough, as `head` has, is no failure.
+///
+/// # Errors
+/// A stdout that cannot be written.
+pub fn say(words: &str) -> Result<(), Failure> {
+    match writeln!(std::io::stdout(), "{}", words.trim_end()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::System(error.to_string())),
+        _ => Ok(()),
+    }
 }
 
 /// A bar on stderr for long work; nothing where stderr is no terminal.

@@ -2,7 +2,7 @@
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::memory::Heap;
-use crate::output::print_json;
+use crate::output::deliver;
 use crate::pool::Pool;
 use crate::scenes::{Named, load};
 use crate::timing::{Milliseconds, timed};
@@ -31,8 +31,12 @@ pub struct PlanView {
     pub left_out: Vec<LeftOutView>,
     /// Memory.
     pub bytes: Bytes,
-    /// Time of a step by either plan, taken in turn.
+    /// Arrays that exist, with their bytes.
+    pub arrays: Vec<ArrayView>,
+    /// Shortest step by either plan, taken in turn, ms.
     pub ms_per_step: PlanTimes,
+    /// Median step by either plan, ms.
+    pub median_ms_per_step: PlanTimes,
 }
 
 /// A pass and what is in it.
@@ -55,6 +59,15 @@ pub struct LeftOutView {
     pub bytes: usize,
 }
 
+/// An array and its size.
+#[derive(Clone, Debug, Serialize)]
+pub struct ArrayView {
+    /// Which.
+    pub name: &'static str,
+    /// Its size.
+    pub bytes: usize,
+}
+
 /// Memory of a scene.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Bytes {
@@ -68,9 +81,9 @@ pub struct Bytes {
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct PlanTimes {
     /// By the scene's plan.
-    pub plan: Milliseconds,
+    pub plan: f64,
     /// With every term.
-    pub everything: Milliseconds,
+    pub everything: f64,
 }
 
 /// Places of a cell in the figure of what cell lists would cost: twice the default neighbours.
@@ -83,11 +96,7 @@ const USUAL_PLACES: u32 = 64;
 pub fn execute(options: &Options) -> Result<bool, Failure> {
     let named = load(&options.common.scene, &options.common.changes)?;
     let view = view(&named, &Pool::new(options.common.threads)?, options.steps)?;
-    if options.common.json {
-        print_json(&view)?;
-    } else {
-        print!("{}", table(&view));
-    }
+    deliver(&options.common, "plan", &view, &table(&view))?;
     Ok(true)
 }
 
@@ -98,7 +107,9 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
 pub fn view(named: &Named, pool: &Pool, steps: u32) -> Result<PlanView, Failure> {
     let scene = &named.file.scene;
     let plan = Plan::of(scene);
-    let used = Needs::of(scene).bytes();
+    let needs = Needs::of(scene);
+    let used = needs.bytes();
+    let [by_plan, by_everything] = time(named, pool, steps)?;
     let passes = plan.passes().map(|p| PassView { name: p.name(), terms: plan.terms(p).into_iter().collect() });
     let bytes_of = |what: &str| if what == "cell lists" { with_lists(scene) - used } else { 0 };
     let left_out = plan.left_out();
@@ -108,7 +119,14 @@ pub fn view(named: &Named, pool: &Pool, steps: u32) -> Result<PlanView, Failure>
         passes: passes.collect(),
         left_out: left_out.collect(),
         bytes: Bytes { used, everything: with_lists(scene).max(used) },
-        ms_per_step: time(named, pool, steps)?,
+        arrays: needs
+            .arrays()
+            .into_iter()
+            .filter(|(_, bytes)| *bytes > 0)
+            .map(|(name, bytes)| ArrayView { name, bytes })
+            .collect(),
+        ms_per_step: PlanTimes { plan: by_plan.min, everything: by_everything.min },
+        median_ms_per_step: PlanTimes { plan: by_plan.median, everything: by_everything.median },
     })
 }
 
@@ -122,7 +140,7 @@ fn with_lists(scene: &Scene) -> usize {
 }
 
 /// Times the two plans in turn, so that both meet the same mood of the machine.
-fn time(named: &Named, pool: &Pool, steps: u32) -> Result<PlanTimes, Failure> {
+fn time(named: &Named, pool: &Pool, steps: u32) -> Result<[Milliseconds; 2], Failure> {
     let scene = &named.file.scene;
     let mut heaps = [Heap::of(scene), Heap::of(scene)];
     let mut times = [Vec::new(), Vec::new()];
@@ -138,7 +156,7 @@ fn time(named: &Named, pool: &Pool, steps: u32) -> Result<PlanTimes, Failure> {
             times.push(ms);
         }
     }
-    Ok(PlanTimes { plan: Milliseconds::of(&times[0]), everything: Milliseconds::of(&times[1]) })
+    Ok(times.map(|times| Milliseconds::of(&times)))
 }
 
 /// The plan in words.
@@ -152,8 +170,12 @@ pub fn table(view: &PlanView) -> String {
     for left_out in &view.left_out {
         out += &format!("  {:22} {} ({} bytes)\n", left_out.what, left_out.why, left_out.bytes);
     }
+    out += "arrays\n";
+    for array in &view.arrays {
+        out += &format!("  {:22} {} bytes\n", array.name, array.bytes);
+    }
     let (bytes, ms) = (view.bytes, view.ms_per_step);
     out += &format!("bytes: {} used, {} with everything\n", bytes.used, bytes.everything);
-    out += &format!("ms a step at least: {:.3} by the plan, {:.3} with everything\n", ms.plan.min, ms.everything.min);
+    out += &format!("ms a step at least: {:.3} by the plan, {:.3} with everything\n", ms.plan, ms.everything);
     out
 }

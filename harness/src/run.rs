@@ -1,11 +1,11 @@
 //! `run`: a scene on one backend, with pictures if asked.
-use crate::arguments::{BackendName, Common, Length, Out};
+use crate::arguments::{BackendName, Common, Length};
 use crate::census::{FirstLast, MeanMax, census};
 use crate::failure::Failure;
 use crate::fluid::Fluid;
 use crate::frames::Film;
 use crate::memory::Heap;
-use crate::output::{make_folder, print_json, progress, write_text};
+use crate::output::{deliver, make_folder, progress};
 use crate::pool::Pool;
 use crate::scenes::{Named, load};
 use crate::timing::{Milliseconds, timed};
@@ -20,8 +20,6 @@ pub struct Options {
     common: Common,
     #[command(flatten)]
     length: Length,
-    #[command(flatten)]
-    out: Out,
     /// Where it runs
     #[arg(long, value_enum, default_value = "cpu")]
     backend: BackendName,
@@ -75,16 +73,9 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
     let steps = options.length.in_steps(named.file.duration, named.file.scene.time_step)?;
     let pool = Pool::new(options.common.threads)?;
     let frames = options.frames.unwrap_or(1);
-    let folder = options.out.out.as_deref();
+    let folder = options.common.out.as_deref();
     let outcome = run(&named, options.backend, &pool, steps, folder.map(|folder| (folder, frames)))?;
-    if let Some(folder) = folder {
-        write_text(&folder.join("report.md"), &report(&named, &outcome))?;
-    }
-    if options.common.json {
-        print_json(&outcome)?;
-    } else {
-        print!("{}", report(&named, &outcome));
-    }
+    deliver(&options.common, "report", &outcome, &report(&named, &outcome))?;
     Ok(true)
 }
 

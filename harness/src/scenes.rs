@@ -64,7 +64,7 @@ macro_rules! built_in {
 pub const BUILT_IN: &[(&str, &str)] = built_in!("dam-break", "dam-break-2d", "still-tank", "thesis-cube");
 
 /// Most memory that a scene is given: 4 GiB, 12 million particles. `compare` holds five of them.
-const MOST_BYTES: usize = 1 << 32;
+pub const MOST_BYTES: usize = 1 << 32;
 
 /// What a caller asks of a scene beside its name.
 #[derive(Clone, Debug, Default, clap::Args)]

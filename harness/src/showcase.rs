@@ -1,10 +1,10 @@
 //! What happens without a command: the whole promise in a few minutes.
 use crate::arguments::BackendName;
-use crate::compare::{self, compare};
-use crate::error_study;
+use crate::compare::{self, Paths, compare};
+use crate::error_study::{self, CASE, QUICK};
 use crate::failure::Failure;
 use crate::fluid::device_if_any;
-use crate::output::{make_folder, write_text};
+use crate::output::{make_folder, say, write_text};
 use crate::plan_view;
 use crate::pool::Pool;
 use crate::run::{self, run};
@@ -31,31 +31,33 @@ pub fn execute() -> Result<bool, Failure> {
     let scene = &named.file.scene;
     let pool = Pool::new(0)?;
     let mut report = String::from("# millpond: the showcase\n\n");
-    let mut say = |text: &str| {
-        println!("{text}");
+    let mut tell = |text: &str| {
         report += text;
         report += "\n";
+        say(&format!("{text}\n"))
     };
 
-    say("## The same bits on every path\n");
+    tell("## The same bits on every path\n")?;
     let devices: Vec<_> = device_if_any()?.into_iter().collect();
     if devices.is_empty() {
-        say("No Vulkan device here: the GPU is left out. A software one will do (Debian: mesa-vulkan-drivers).\n");
+        tell("No Vulkan device here: the GPU is left out. A software one will do (Debian: mesa-vulkan-drivers).\n")?;
     }
-    let comparison = compare(&named, COMPARED_STEPS, true, &devices)?;
-    say(&compare::table(&comparison));
+    let paths = Paths { cpu: true, threads: 2, devices };
+    let comparison = compare(&named, COMPARED_STEPS, &paths, &mut |_, _| ())?;
+    tell(&compare::table(&comparison))?;
 
-    say("## A dam break\n");
+    tell("## A dam break\n")?;
     let steps = (named.file.duration / f64::from(scene.time_step)).round() as u64;
     let outcome = run(&named, BackendName::Cpu, &pool, steps, Some((folder, PICTURES)))?;
-    say(run::report(&named, &outcome).trim_start_matches("# "));
+    tell(run::report(&named, &outcome).trim_start_matches("# "))?;
 
-    say("## What the plan leaves out\n");
-    say(&plan_view::table(&plan_view::view(&named, &pool, 20)?));
+    tell("## What the plan leaves out\n")?;
+    tell(&plan_view::table(&plan_view::view(&named, &pool, 20)?))?;
 
-    let study = error_study::study(true, &Pool::new(1)?, Some(folder))?;
-    say(error_study::table(&study).trim_start_matches("# "));
-    say(&format!("Pictures, plot and this report: {FOLDER}"));
+    let tank = load(CASE, &Changes::default())?;
+    let study = error_study::study(&tank, &QUICK, &Pool::new(1)?, Some(folder))?;
+    tell(error_study::table(&study).trim_start_matches("# "))?;
+    tell(&format!("Pictures, plot and this report: {FOLDER}"))?;
     write_text(&folder.join("report.md"), &report)?;
     Ok(comparison.kept() && study.runs.iter().all(|run| run.error.is_some()))
 }

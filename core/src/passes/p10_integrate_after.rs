@@ -62,8 +62,10 @@ impl Work for &mut Job<'_> {
                     v = reflect(m, p, v, normal, depth);
                     x = put_back(x, normal, depth);
                 }
-                store(&mut self.position[first..end], x);
+                // boxed, lest LLVM carry the loop above in the shape of the store
+                store(&mut self.position[first..end], core::hint::black_box(x));
             }
+            let v = core::hint::black_box(v);
             store(&mut self.velocity[first..end], v);
         }
     }

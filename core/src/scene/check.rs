@@ -58,10 +58,9 @@ impl Scene {
             finite("blocks.velocity", &b.velocity)?;
             not_negative("blocks.jitter", b.jitter)?;
             let counts = lattice::counts(b, self);
-            for axis in 0..self.dimension.count() {
-                let size = b.size[axis];
+            for (axis, (&size, count)) in b.size.iter().zip(counts).enumerate().take(self.dimension.count()) {
                 positive("blocks.size", size)?;
-                if counts[axis] == 0 {
+                if count == 0 {
                     return Err(SceneError::EmptyBlock { block, axis, size });
                 }
             }
