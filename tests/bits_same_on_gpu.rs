@@ -3,6 +3,7 @@
 use millpond::compare::difference;
 use millpond::fluid::Snapshot;
 use millpond::memory::Heap;
+use millpond_core::guided::parameters;
 use millpond_core::scene::{Block, GridStructure, Place, Scene};
 use millpond_core::{Needs, Plan, Serial, Simd, Solver};
 use millpond_gpu::{GpuSolver, Mode};
@@ -55,7 +56,9 @@ fn for_a_pair_at_the_very_edge_of_the_support() {
     // so that a lane meets a neighbour that only another lane sees
     let mut scene = support::scene("thesis-cube", &["particle_spacing=0.027", "average_neighbours=32"]).file.scene;
     scene.blocks.clear();
-    let apart = 0.053_176_23;
+    let apart: f32 = 0.053_176_23;
+    let p = parameters(&scene);
+    assert!(apart * apart * p.inverse_support_squared >= 1.0 && apart * p.inverse_support < 1.0, "the case there was");
     let points = [[0.0, 0.0, 0.0], [0.0, apart, 0.0], [0.0, 0.01, 0.0], [0.0, apart + 0.01, 0.0]];
     let places = points.map(|position| Place { position, velocity: [position[1], 1.0 - position[1], 0.3] });
     same_on_all_paths("edge of the support", &scene, &places);

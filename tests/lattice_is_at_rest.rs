@@ -38,56 +38,80 @@ fn lattice(dimension: Dimension) -> Vec<[f32; 3]> {
     layers.flat_map(|z| (-5..=5).flat_map(move |y| (-5..=5).map(move |x| [at(x), at(y), at(z)]))).collect()
 }
 
-/// S1's W, from the term: 2D, support 2 h.
-fn w(r: f64) -> f64 {
-    Kernel::CubicSpline.normalisation(Dimension::Two) / (4.0 * H * H)
-        * f64::from(cubic_spline_w((r / (2.0 * H)) as f32))
+/// The two dimensions, with the constant of S1's kernel in each: 5 / (14 pi h^2), and its 3D twin 1 / (4 pi h^3).
+fn dimensions() -> [(Dimension, f64); 2] {
+    [(Dimension::Two, 5.0 / (14.0 * PI * H * H)), (Dimension::Three, 1.0 / (4.0 * PI * H * H * H))]
+}
+
+/// S1's W, from the term; its support is 2 h.
+fn w(dimension: Dimension, r: f64) -> f64 {
+    let constant = Kernel::CubicSpline.normalisation(dimension) / (2.0 * H).powi(dimension.count() as i32);
+    constant * f64::from(cubic_spline_w((r / (2.0 * H)) as f32))
 }
 
 /// Size of S1's gradient of W, from the term.
-fn slope(r: f64) -> f64 {
-    let constant = Kernel::CubicSpline.normalisation(Dimension::Two) / (8.0 * H * H * H);
+fn slope(dimension: Dimension, r: f64) -> f64 {
+    let constant = Kernel::CubicSpline.normalisation(dimension) / (2.0 * H).powi(dimension.count() as i32 + 1);
     constant * f64::from(cubic_spline_slope((r / (2.0 * H)) as f32))
 }
 
 #[test]
 fn kernel_values_at_lattice_distances() {
-    let alpha = 5.0 / (14.0 * PI * H * H);
-    assert_eq!(w(3.0 * H), 0.0);
-    // single precision: one rounding of q and a handful of products
-    assert_relative_eq!(w(0.0), 4.0 * alpha, max_relative = 1e-6);
-    assert_relative_eq!(w(H), alpha, max_relative = 1e-6);
-    assert_relative_eq!(w(2f64.sqrt() * H), alpha * (2.0 - 2f64.sqrt()).powi(3), max_relative = 1e-6);
+    for (dimension, alpha) in dimensions() {
+        assert_eq!(w(dimension, 3.0 * H), 0.0);
+        // single precision: one rounding of q and a handful of products
+        assert_relative_eq!(w(dimension, 0.0), 4.0 * alpha, max_relative = 1e-6);
+        assert_relative_eq!(w(dimension, H), alpha, max_relative = 1e-6);
+        for diagonal in [2f64.sqrt(), 3f64.sqrt()] {
+            let value = alpha * (2.0 - diagonal).powi(3);
+            assert_relative_eq!(w(dimension, diagonal * H), value, max_relative = 2e-6);
+        }
+    }
 }
 
 #[test]
 fn gradients_at_lattice_distances() {
-    let alpha = 5.0 / (14.0 * PI * H * H);
-    assert_eq!(slope(0.0), 0.0);
-    assert_relative_eq!(slope(H), 3.0 * alpha / H, max_relative = 1e-6);
-    // along each axis of the diagonal: S1's alpha beta / (h sqrt 2), beta = -3 (2 - sqrt 2)^2
-    let beta = 3.0 * (2.0 - 2f64.sqrt()).powi(2);
-    assert_relative_eq!(slope(2f64.sqrt() * H) / 2f64.sqrt(), alpha * beta / (H * 2f64.sqrt()), max_relative = 1e-6);
+    for (dimension, alpha) in dimensions() {
+        assert_eq!(slope(dimension, 0.0), 0.0);
+        assert_relative_eq!(slope(dimension, H), 3.0 * alpha / H, max_relative = 1e-6);
+        // along each axis of the diagonal: S1's alpha beta / (h sqrt 2), beta = -3 (2 - sqrt 2)^2; and with sqrt 3
+        for diagonal in [2f64.sqrt(), 3f64.sqrt()] {
+            let beta = 3.0 * (2.0 - diagonal).powi(2);
+            let expected = alpha * beta / (H * diagonal);
+            assert_relative_eq!(slope(dimension, diagonal * H) / diagonal, expected, max_relative = 2e-6);
+        }
+    }
 }
 
 #[test]
 fn sums_over_the_lattice() {
-    let points = lattice(Dimension::Two);
-    for a in points.iter().filter(|a| a.iter().all(|x| f64::from(x.abs()) < 4.5 * H)) {
-        let mut sum = 0.0;
-        let mut gradient = [0.0; 2];
-        for b in &points {
-            let d = [f64::from(a[0]) - f64::from(b[0]), f64::from(a[1]) - f64::from(b[1])];
-            let r = d[0].hypot(d[1]);
-            sum += w(r) * H * H;
-            if r > 0.0 {
-                gradient.iter_mut().zip(d).for_each(|(g, d)| *g -= slope(r) * d / r * H * H * H);
-            }
+    for (dimension, alpha) in dimensions() {
+        let volume = H.powi(dimension.count() as i32);
+        // what the sum must be: S1's 1 to within the 8.6e-4 of its kernel on the square lattice, and its 3D twin
+        let neighbours = if dimension == Dimension::Two { [4.0, 4.0, 0.0] } else { [6.0, 12.0, 8.0] };
+        let at = |d: f64| (2.0 - d).powi(3);
+        let [edge, face, corner] = neighbours;
+        let expected = alpha * volume * (4.0 + edge + face * at(2f64.sqrt()) + corner * at(3f64.sqrt()));
+        if dimension == Dimension::Two {
+            assert_abs_diff_eq!(expected, 1.000_862, epsilon = 1e-6);
         }
-        // the sum over a square lattice is 1.000862 for the 9 x 9 inner points: a fact of this kernel, not of rounding
-        assert_abs_diff_eq!(sum, 1.000_862, epsilon = 1e-6);
-        // gradients cancel pairwise; what is left is the rounding of 12 of them, each of size 1
-        assert_abs_diff_eq!(gradient[0].hypot(gradient[1]), 0.0, epsilon = 1e-5);
+        let points = lattice(dimension);
+        for a in points.iter().filter(|a| a.iter().all(|x| f64::from(x.abs()) < 4.5 * H)) {
+            let mut sum = 0.0;
+            let mut gradient = [0.0; 3];
+            for b in &points {
+                let d: [f64; 3] = core::array::from_fn(|i| f64::from(a[i]) - f64::from(b[i]));
+                let r = d.iter().map(|d| d * d).sum::<f64>().sqrt();
+                sum += w(dimension, r) * volume;
+                if r > 0.0 {
+                    gradient.iter_mut().zip(d).for_each(|(g, d)| *g -= slope(dimension, r) * d / r * volume * H);
+                }
+            }
+            // places and terms are single precision: 1e-7 of each of up to 33 of them
+            assert_abs_diff_eq!(sum, expected, epsilon = 2e-6);
+            // gradients cancel pairwise; what is left is the rounding of as many, each of size 1 at most
+            assert!(gradient.iter().all(|g| g.abs() < 1e-5), "{gradient:?}");
+        }
     }
 }
 

@@ -32,6 +32,8 @@ pub mod step;
 pub mod storage;
 pub mod terms;
 
+pub use heapless;
+
 pub use arithmetic::level::Simd;
 pub use error::{SceneError, StepError};
 pub use executor::{Executor, Serial};

@@ -16,6 +16,8 @@ use heapless::Vec;
 pub const BLOCKS: usize = 16;
 
 /// A fluid and all that decides how it moves.
+///
+/// Lists have a fixed capacity ([`heapless::Vec`], re-exported as [`millpond_core::heapless`](crate::heapless)).
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Scene {
