@@ -1,5 +1,6 @@
 //! A device, and how programs reach its driver.
 use crate::error::GpuError;
+use crate::program::Words;
 use crate::strict::spirv;
 use std::borrow::Cow;
 
@@ -19,6 +20,7 @@ pub struct Gpu {
     pub(crate) queue: wgpu::Queue,
     pub(crate) info: wgpu::AdapterInfo,
     pub(crate) mode: Mode,
+    pub(crate) words: Words,
 }
 
 impl Gpu {
@@ -45,6 +47,12 @@ impl Gpu {
     #[must_use]
     pub fn mode(&self) -> Mode {
         self.mode
+    }
+
+    /// Where division and root come from on it.
+    #[must_use]
+    pub fn words(&self) -> Words {
+        self.words
     }
 
     /// A shader module of a complete program whose entry point is `main`.

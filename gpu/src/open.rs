@@ -1,6 +1,7 @@
 //! Choosing a device. Any adapter will do, a software one too; for strict mode it must pass the words' test.
 use crate::device::{Gpu, Mode};
 use crate::error::GpuError;
+use crate::program::Words;
 use crate::words::{WordReport, try_words};
 
 impl Gpu {
@@ -43,8 +44,9 @@ impl Gpu {
         if mode == Mode::Strict && (info.backend != wgpu::Backend::Vulkan || !strict) {
             return Err(no_strict_mode(&info));
         }
-        let gpu = Gpu { device, queue, info, mode };
-        if mode == Mode::Strict {
+        let mut gpu = Gpu { device, queue, info, mode, words: Words::Native };
+        if mode == Mode::Strict && gpu.prove_words().is_err() {
+            gpu.words = Words::Exact;
             gpu.prove_words()?;
         }
         Ok(gpu)
@@ -70,9 +72,10 @@ impl Gpu {
         Gpu::with_device(device, queue, info, mode)
     }
 
-    /// Refuses a device whose words differ from core's.
+    /// Refuses words that differ from core's.
     fn prove_words(&self) -> Result<(), GpuError> {
-        match try_words(self)?.into_iter().find(|report| report.differing > 0) {
+        let reports = self.caught(|| try_words(self, &self.words.prelude()))?;
+        match reports.into_iter().find(|report| report.differing > 0) {
             None => Ok(()),
             Some(WordReport { word, tried, differing }) => {
                 Err(GpuError::LooseArithmetic { adapter: self.name(), word, differing, tried })

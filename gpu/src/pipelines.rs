@@ -88,7 +88,7 @@ fn pipeline(gpu: &Gpu, pass: Pass, plan: &Plan) -> Result<(wgpu::BindGroupLayout
         |(_, access): &(Array, Access)| wgpu::BufferBindingType::Storage { read_only: *access == Access::Read };
     let mut kinds = vec![wgpu::BufferBindingType::Uniform];
     kinds.extend(arrays(pass).iter().map(storage));
-    make_pipeline(gpu, pass.name(), &program(pass, &plan.model), workgroup(pass), &kinds)
+    make_pipeline(gpu, pass.name(), &program(pass, &plan.model, gpu.words), workgroup(pass), &kinds)
 }
 
 /// Pipeline of a complete program whose bindings 0, 1, 2 ... are buffers of these kinds.

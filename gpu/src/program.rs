@@ -5,6 +5,28 @@ use millpond_core::Pass;
 use millpond_core::layout::{Model, PLANES, Parameters};
 use millpond_core::terms::TEXTS;
 
+/// Where division and root come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Words {
+    /// The device's own.
+    Native,
+    /// The device's own, corrected by integers: for a device that is a little off.
+    Exact,
+}
+
+impl Words {
+    /// The vocabulary: `div`, `root` and all that WGSL lacks beside them.
+    #[must_use]
+    pub fn prelude(self) -> String {
+        let words = match self {
+            Words::Native => include_str!("shaders/words_native.wgsl"),
+            Words::Exact => include_str!("shaders/words_exact.wgsl"),
+        };
+        // in WGSL the order of declarations is free
+        words.to_owned() + include_str!("shaders/prelude.wgsl")
+    }
+}
+
 /// The loop of a pass, as written.
 #[must_use]
 pub fn loop_text(pass: Pass) -> &'static str {
@@ -25,8 +47,8 @@ pub fn loop_text(pass: Pass) -> &'static str {
 
 /// The vocabulary and all terms, without a pass: what a test of a single term needs.
 #[must_use]
-pub fn library(model: &Model) -> String {
-    let mut out = include_str!("shaders/prelude.wgsl").to_owned();
+pub fn library(model: &Model, words: Words) -> String {
+    let mut out = words.prelude();
     out += &format!("alias Planes = array<f32x4, {PLANES}>;\n");
     out += Parameters::WGSL;
     out += "@group(0) @binding(0) var<uniform> p: Parameters;\n";
@@ -42,8 +64,8 @@ pub fn library(model: &Model) -> String {
 
 /// The program of a pass, its entry point named `main`.
 #[must_use]
-pub fn program(pass: Pass, model: &Model) -> String {
-    let mut out = library(model);
+pub fn program(pass: Pass, model: &Model, words: Words) -> String {
+    let mut out = library(model, words);
     out += include_str!("shaders/grid.wgsl");
     out += &format!("const WORKGROUP: u32 = {}u;\n", workgroup(pass));
     out += &declarations(pass);

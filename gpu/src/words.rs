@@ -25,7 +25,7 @@ const WORDS: &[Word] = &[
     Word { name: "select", wgsl: "select(v.x, v.y, less(v.z, v.x))", rust: |v| select(v[0], v[1], less(v[2], v[0])) },
     Word { name: "flush", wgsl: "flush(v.x * 1.0e-38f)", rust: |v| flush(v[0] * 1.0e-38) },
     // beyond the usual range: large and small operands, and what a device that flushes denormals gives away
-    Word { name: "div, wide", wgsl: "div(v.x * 1.0e20f, v.w * 1.0e-15f)", rust: |v| div(v[0] * 1e20, v[3] * 1e-15) },
+    Word { name: "div, wide", wgsl: "div(v.x * 1.0e18f, v.w * 1.0e-10f)", rust: |v| div(v[0] * 1e18, v[3] * 1e-10) },
     Word { name: "root, wide", wgsl: "root(v.w * 1.0e-30f)", rust: |v| root(v[3] * 1e-30) },
     Word { name: "denormal product", wgsl: "v.x * 1.0e-38f * v.y", rust: |v| v[0] * 1e-38 * v[1] },
     Word {
@@ -54,17 +54,18 @@ pub struct WordReport {
     pub differing: usize,
 }
 
-/// Tries every word on a device.
+/// Tries every word on a device, with this vocabulary ([`Words::prelude`](crate::program::Words::prelude)).
 ///
 /// # Errors
 /// The device failed, or refused the program.
-pub fn try_words(gpu: &Gpu) -> Result<Vec<WordReport>, GpuError> {
+pub fn try_words(gpu: &Gpu, prelude: &str) -> Result<Vec<WordReport>, GpuError> {
     let inputs = inputs();
     let results = WORDS.len() * INPUTS;
     let storage = Maker::storage(gpu);
     let from = storage.filled("words in", &inputs)?;
     let to = storage.room("words out", results * size_of::<u32>())?;
-    dispatch_once(gpu, "millpond.words", &program(), [&from, &to], INPUTS.div_ceil(WORKGROUP as usize) as u32)?;
+    let groups = INPUTS.div_ceil(WORKGROUP as usize) as u32;
+    dispatch_once(gpu, "millpond.words", &program(prelude), [&from, &to], groups)?;
     let got: Vec<u32> = read(gpu, &to, results)?;
     let report = |(i, word): (usize, &Word)| {
         let differs = |(input, result): (&f32x4, &[u32])| (word.rust)(*input).to_bits() != result[i];
@@ -85,8 +86,8 @@ fn inputs() -> Vec<f32x4> {
     (0..INPUTS).map(|_| [random() - 2.0, random() - 2.0, random() - 2.0, random()]).collect()
 }
 
-fn program() -> String {
-    let mut out = include_str!("shaders/prelude.wgsl").to_owned();
+fn program(prelude: &str) -> String {
+    let mut out = prelude.to_owned();
     out += "@group(0) @binding(0) var<storage, read> words_in: array<f32x4>;\n";
     out += "@group(0) @binding(1) var<storage, read_write> words_out: array<u32>;\n";
     out += &format!("@compute @workgroup_size({WORKGROUP}) fn main(@builtin(global_invocation_id) g: vec3<u32>) {{\n");
