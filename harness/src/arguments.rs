@@ -32,6 +32,9 @@ pub struct Common {
     pub out: Option<PathBuf>,
 }
 
+/// More steps than anybody means who names a time: a week of them.
+const MOST_STEPS: f64 = 1e9;
+
 /// How long a scene runs.
 #[derive(Clone, Copy, Debug, Default, Args)]
 pub struct Length {
@@ -50,9 +53,13 @@ impl Length {
     /// A time that is none.
     pub fn in_steps(self, otherwise: f64, time_step: f32) -> Result<u64, Failure> {
         let seconds = self.time.unwrap_or(otherwise);
+        let steps = (seconds / f64::from(time_step)).round();
         match self.steps {
             Some(steps) => Ok(steps),
-            None if seconds.is_finite() && seconds >= 0.0 => Ok((seconds / f64::from(time_step)).round() as u64),
+            None if (0.0..MOST_STEPS).contains(&steps) => Ok(steps as u64),
+            None if steps >= MOST_STEPS => {
+                Err(Failure::Call(format!("{seconds} s in steps of {time_step} s are {steps:e} steps: name --steps")))
+            }
             None => Err(Failure::Call(format!("--time {seconds} is no length of time"))),
         }
     }

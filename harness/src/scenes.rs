@@ -118,10 +118,11 @@ pub fn load(name: &str, changes: &Changes) -> Result<Named, Failure> {
 /// The scene of a RON text.
 fn parse(text: &str, origin: &Path) -> Result<SceneFile, Failure> {
     let options = ron::Options::default().with_default_extension(ron::extensions::Extensions::IMPLICIT_SOME);
-    options.from_str(text).map_err(|e| Failure::SceneText {
-        file: origin.to_owned(),
-        line: e.span.start.line,
-        message: e.code.to_string(),
+    options.from_str(text).map_err(|e| {
+        let line = e.span.start.line;
+        // the line names the field where ron does not
+        let quoted = text.lines().nth(line.saturating_sub(1)).unwrap_or_default().trim();
+        Failure::SceneText { file: origin.to_owned(), line, message: format!("{}, at `{quoted}`", e.code) }
     })
 }
 
@@ -130,12 +131,14 @@ fn refusal(text: &str, origin: &Path, changes: &Changes, error: SceneError) -> F
     let message = error.to_string();
     let field = message.split_whitespace().next().unwrap_or_default();
     let leaf = field.rsplit('.').next().unwrap_or(field);
+    let leaf = leaf.split('[').next().unwrap_or(leaf);
     let changed = |change: &&String| change.split('=').next().is_some_and(|path| path.ends_with(leaf));
     if let Some(change) = changes.set.iter().find(changed) {
         return Failure::Scene { origin: format!("--set {change}"), error };
     }
     let wanted = format!("{leaf}:");
-    let line = text.lines().position(|line| line.contains(&wanted));
+    let code = |line: &str| line.split("//").next().unwrap_or_default().contains(&wanted);
+    let line = text.lines().position(code);
     let line = line.map_or(String::new(), |line| format!(":{}", line + 1));
     Failure::Scene { origin: format!("{}{line}", origin.display()), error }
 }
@@ -197,7 +200,7 @@ fn scale(scene: &mut Scene, particles: u64) -> Result<(), Failure> {
     // a larger scene needs more cells, or far particles come to share them
     let axes = scene.dimension.count();
     for cells in &mut scene.grid.cells[..axes] {
-        *cells = (f64::from(*cells) * factor).ceil().clamp(3.0, 1024.0) as u32;
+        *cells = (f64::from(*cells) * factor).ceil().max(3.0) as u32;
     }
     Ok(())
 }

@@ -112,6 +112,8 @@ fn bad_scene_files_are_named_with_line_and_field() {
     let particles = ("particle_spacing: 0.025,", "particle_spacing: 0.025, particle_weight: 2.0,");
     let cases = [
         (particles, "particle_weight", line_of("particle_spacing")),
+        (("time_step: 0.0005", "time_step: \"fast\""), "time_step", line_of("time_step")),
+        (("size: (1.0, 2.0, 0.0)", "size: (9.0, 2.0, 0.0)"), "blocks[0] reaches", line_of("blocks:")),
         (("rest_density: 1000.0", "rest_density: -1000.0"), "rest_density is -1000", line_of("rest_density")),
         (("gravity: (0.0, -9.81, 0.0)", "gravity: (0.0, NaN, 0.0)"), "gravity is NaN", line_of("gravity")),
         (("dimension: Two", "dimension: Seven"), "Seven", line_of("dimension")),

@@ -17,8 +17,8 @@ pub enum Simd {
     Avx2,
 }
 
-/// Work that can be done in any kind of number. `run` must be `#[inline(always)]`, or it is compiled for the base level.
-pub trait Work {
+/// Work that can be done in any kind of number: what a pass is to [`Simd`]. `run` must be `#[inline(always)]`, or it is compiled for the base level.
+pub(crate) trait Work {
     /// Does it.
     fn run<R: Real>(self);
 }

@@ -5,7 +5,8 @@ use super::{Planes, f32x4, shared, u32x4};
 pub const PLANES: usize = 6;
 
 shared! {
-    /// What every pass reads. SI units; in 2D, masses are per metre of depth.
+    /// What every pass reads. SI units, as in 3D; in 2D masses are per metre of depth, and constants of kernels have one
+    /// metre less below the line.
     pub struct Parameters {
         /// Cells along x, y, z, and in all.
         pub cells: u32x4,
