@@ -10,10 +10,11 @@ use crate::timing::{Milliseconds, timed};
 use millpond_core::scene::{GridStructure, Scene};
 use millpond_core::{Needs, Simd, Solver};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
-use serde::Serialize;
 
 mod difference;
+mod pair;
 pub use difference::{Difference, difference, ulp_distance};
+pub use pair::{Comparison, Pair, PerQuantity, table};
 
 /// Options of `compare`.
 #[derive(Clone, Debug, clap::Args)]
@@ -32,71 +33,6 @@ pub struct Options {
 
 /// Steps where nobody says otherwise.
 const DEFAULT_STEPS: u64 = 200;
-
-/// How far a path that promises no bits may stray, as a share of the spacing and of the speed of sound. A difference of
-/// one ULP grows with the fluid's chaos; this is where a picture begins to show it.
-const TOLERANCE: f64 = 0.01;
-
-/// Position and velocity of something.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct PerQuantity<T> {
-    /// Of positions.
-    pub position: T,
-    /// Of velocities.
-    pub velocity: T,
-}
-
-/// One path held against another.
-#[derive(Clone, Debug, Serialize)]
-pub struct Pair {
-    /// The path all others are held against.
-    pub a: String,
-    /// The other.
-    pub b: String,
-    /// Not a bit differed at any step.
-    pub bit_equal: bool,
-    /// The first step at which one did.
-    pub first_divergent_step: Option<u64>,
-    /// Largest distance in units in the last place, over all steps.
-    pub max_ulp: PerQuantity<u32>,
-    /// Largest distance, m and m/s.
-    pub max_abs: PerQuantity<f64>,
-    /// Close enough to look the same.
-    pub within_tolerance: bool,
-    /// The first value that differed, in words.
-    pub first_difference: Option<String>,
-    /// Does this path promise bits?
-    pub promised: bool,
-    /// Why it stopped early, if it did.
-    pub failure: Option<String>,
-    /// Time of a step of `b`, reading a device back included.
-    pub ms_per_step: Milliseconds,
-}
-
-/// Result of `compare`.
-#[derive(Clone, Debug, Serialize)]
-pub struct Comparison {
-    /// The scene.
-    pub scene: String,
-    /// Steps compared.
-    pub steps: u64,
-    /// Particles of the scene.
-    pub particles: usize,
-    /// State hash after the last step.
-    pub hash: String,
-    /// Time of a step of the path all others are held against.
-    pub ms_per_step: Milliseconds,
-    /// All pairs.
-    pub pairs: Vec<Pair>,
-}
-
-impl Comparison {
-    /// Did every path keep its promise?
-    #[must_use]
-    pub fn kept(&self) -> bool {
-        self.pairs.iter().all(|p| p.bit_equal || (!p.promised && p.within_tolerance))
-    }
-}
 
 /// A path of computation that is held against the reference.
 struct Rival<'a> {
@@ -194,20 +130,7 @@ pub fn compare(
     let mut other_heap = if with_other { Heap::of(&other) } else { Heap::with(Needs::default()) };
     let mut rivals = Vec::new();
     let mut enter = |b: String, promised: bool, path| {
-        let pair = Pair {
-            a: "cpu scalar".into(),
-            b,
-            bit_equal: true,
-            first_divergent_step: None,
-            max_ulp: PerQuantity::default(),
-            max_abs: PerQuantity::default(),
-            within_tolerance: true,
-            first_difference: None,
-            promised,
-            failure: None,
-            ms_per_step: Milliseconds::default(),
-        };
-        rivals.push(Rival { path, pair, times: Vec::new() });
+        rivals.push(Rival { path, pair: Pair::new(b, promised), times: Vec::new() });
     };
     for gpu in &paths.devices {
         let solver = GpuSolver::new(gpu, &reference)?;
@@ -244,10 +167,7 @@ pub fn compare(
             let mut got = match got {
                 Ok(got) => got,
                 Err(failure) => {
-                    rival.pair.bit_equal = false;
-                    rival.pair.within_tolerance = false;
-                    rival.pair.first_divergent_step.get_or_insert(step);
-                    rival.pair.failure = Some(failure.to_string());
+                    rival.pair.stop(step, &failure);
                     continue;
                 }
             };
@@ -256,7 +176,7 @@ pub fn compare(
                 meddle(step, &mut got);
             }
             if let Some(found) = difference(&want, &got) {
-                note(&mut rival.pair, step, found, scene);
+                rival.pair.note(step, found, scene);
             }
         }
         bar.inc(1);
@@ -273,47 +193,4 @@ pub fn compare(
             .map(|rival| Pair { ms_per_step: Milliseconds::of(&rival.times), ..rival.pair })
             .collect(),
     })
-}
-
-/// Writes down that a step differed.
-fn note(pair: &mut Pair, step: u64, found: Difference, scene: &Scene) {
-    pair.bit_equal = false;
-    pair.first_divergent_step.get_or_insert(step);
-    pair.first_difference.get_or_insert(found.first);
-    pair.max_ulp.position = pair.max_ulp.position.max(found.max_ulp.position);
-    pair.max_ulp.velocity = pair.max_ulp.velocity.max(found.max_ulp.velocity);
-    // NaN must win
-    let larger = |a: f64, b: f64| if b <= a { a } else { b };
-    pair.max_abs.position = larger(pair.max_abs.position, found.max_abs.position);
-    pair.max_abs.velocity = larger(pair.max_abs.velocity, found.max_abs.velocity);
-    pair.within_tolerance = pair.max_abs.position <= TOLERANCE * f64::from(scene.particle_spacing)
-        && pair.max_abs.velocity <= TOLERANCE * f64::from(scene.fluid.speed_of_sound);
-}
-
-/// The comparison in words.
-#[must_use]
-pub fn table(comparison: &Comparison) -> String {
-    let Comparison { scene, steps, particles, hash, pairs, ms_per_step } = comparison;
-    let mut out = format!("{scene}: {particles} particles, {steps} steps, hash {hash}\n\n");
-    out += "| path | ms a step, least | median | against cpu scalar |\n| --- | --- | --- | --- |\n";
-    out += &format!("| cpu scalar | {:.2} | {:.2} | |\n", ms_per_step.min, ms_per_step.median);
-    for pair in pairs {
-        let verdict = match (&pair.first_divergent_step, &pair.first_difference) {
-            (Some(_), None) => pair.failure.clone().unwrap_or_default(),
-            (None, _) => "bit-equal at every step".to_owned(),
-            (Some(step), first) => {
-                let (ulp, abs) = (pair.max_ulp, pair.max_abs);
-                format!(
-                    "differs from step {step} on: {}; at most {} ULP, {:.2e} m, {:.2e} m/s",
-                    first.as_deref().unwrap_or_default(),
-                    ulp.position.max(ulp.velocity),
-                    abs.position,
-                    abs.velocity
-                )
-            }
-        };
-        let ms = pair.ms_per_step;
-        out += &format!("| {} | {:.2} | {:.2} | {verdict} |\n", pair.b, ms.min, ms.median);
-    }
-    out
 }

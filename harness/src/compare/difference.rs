@@ -1,5 +1,5 @@
 //! Where two states differ, and by how much.
-use super::PerQuantity;
+use super::pair::PerQuantity;
 use crate::fluid::Snapshot;
 use millpond_core::layout::f32x4;
 
