@@ -111,12 +111,14 @@ impl Needs {
 
 /// Memory for `N` particles and `CELLS` cells.
 ///
+/// As a `static`, or on the heap by `bytemuck::zeroed_box`, it never meets the stack, which a large one would overflow.
+///
 /// ```
 /// use millpond_core::Storage;
 /// static STORAGE: Storage<4096, 32768> = Storage::new();
 /// assert!(size_of_val(&STORAGE) < 4096 * 512);
 /// ```
-#[derive(Debug)]
+#[derive(Debug, bytemuck::Zeroable)]
 pub struct Storage<const N: usize, const CELLS: usize> {
     vectors: [[[f32x4; N]; 4]; 2],
     ids: [[u32; N]; 2],
@@ -131,7 +133,7 @@ pub struct Storage<const N: usize, const CELLS: usize> {
 }
 
 /// Memory for the places of the cell lists, where a scene uses them.
-#[derive(Debug)]
+#[derive(Debug, bytemuck::Zeroable)]
 pub struct CellPlaces<const CELLS: usize, const PLACES: usize> {
     places: [[u32; PLACES]; CELLS],
 }
