@@ -133,6 +133,10 @@ pub fn run(
             "Courant number {courant:.2} is larger than {COURANT_LIMIT}: a smaller time_step or speed_of_sound is safer"
         ));
     }
+    if scene.model.near_pressure && !scene.model.suction {
+        warnings
+            .push("near pressure without suction has nothing to balance it: this liquid will expand like a gas".into());
+    }
     if last_census.density_error.mean > 0.03 {
         let percent = last_census.density_error.mean * 100.0;
         warnings.push(format!(
