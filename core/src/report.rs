@@ -1,9 +1,10 @@
 //! What can be said of a fluid as a whole. Nothing here is part of a step.
+use crate::arithmetic::real::vec3;
 use crate::grid::{Cells, Stencil, cell_of};
 use crate::hash::tree_sum;
-use crate::layout::f32x4;
 use crate::passes::{p02_count, p04_scan, p05_place};
 use crate::solver::Solver;
+use crate::terms::geometry::length2;
 
 /// How far the fluid is compressed beyond its rest density, as a share of it.
 ///
@@ -15,12 +16,6 @@ pub struct DensityError {
     pub mean: f64,
     /// The largest.
     pub max: f64,
-}
-
-/// Squared distance of two stored positions.
-fn distance2(a: f32x4, b: f32x4) -> f32 {
-    let [x, y, z] = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-    x * x + y * y + z * z
 }
 
 impl Solver<'_> {
@@ -54,7 +49,8 @@ impl Solver<'_> {
             for a in &scratch.order[members] {
                 for b in stencil.runs().flat_map(|run| &scratch.order[run]) {
                     let (a, b) = (*a as usize, *b as usize);
-                    if distance2(state.position[a], state.position[b]) * p.inverse_support_squared < 1.0 {
+                    let x_ab = vec3::<f32>::splat(state.position[a]) - vec3::splat(state.position[b]);
+                    if length2(x_ab) * p.inverse_support_squared < 1.0 {
                         visit(state.id[a], state.id[b]);
                     }
                 }
