@@ -17,17 +17,25 @@ fn places(at: &[([f32; 3], [f32; 3])]) -> Vec<Place> {
 
 /// Steps both backends until they refuse; asserts that they do so with `error`, after `steps` good steps, keeping the state.
 fn refuses(test: &str, scene: &Scene, places: &[Place], steps: u64, error: StepError) {
+    let gpu = device(test, Mode::Strict);
     for simd in [Simd::Scalar, Simd::detect()] {
-        refuses_at(simd, test, scene, places, steps, error);
+        refuses_at(simd, gpu.as_ref(), test, scene, places, steps, error);
     }
 }
 
-fn refuses_at(simd: Simd, test: &str, scene: &Scene, places: &[Place], steps: u64, error: StepError) {
+fn refuses_at(
+    simd: Simd,
+    gpu: Option<&Gpu>,
+    test: &str,
+    scene: &Scene,
+    places: &[Place],
+    steps: u64,
+    error: StepError,
+) {
     let mut heap = heap_for(scene, places.len());
     let start = Solver::with_particles(scene, Plan::of(scene), places.len(), places.iter().copied(), heap.lend());
     let mut solver = start.expect("a scene that starts").at_level(simd);
-    let on_device =
-        device(test, Mode::Strict).map(|gpu| GpuSolver::new(&gpu, &solver).expect("a device that takes it"));
+    let on_device = gpu.map(|gpu| GpuSolver::new(gpu, &solver).expect("a device that takes it"));
 
     (0..steps).for_each(|_| solver.step(&Serial).expect("a good step"));
     let before = solver.hash();
