@@ -3,7 +3,7 @@
 //! A pure function of the scene. What is left out is not computed at all, and what remains keeps its place in every sum,
 //! so a plan never changes a bit: [`Plan::everything`] runs too, and a test compares.
 use crate::layout::Model;
-use crate::scene::{Dimension, EquationOfState, GridStructure, Reflection, Scene};
+use crate::scene::{Dimension, GridStructure, ModelChoice, Reflection, Scene};
 use crate::step::Pass;
 use heapless::Vec;
 
@@ -12,6 +12,8 @@ use heapless::Vec;
 pub struct Plan {
     /// The choices that the terms compare.
     pub model: Model,
+    /// The choices by name.
+    pub choice: ModelChoice,
 }
 
 /// Something that a scene does without.
@@ -30,23 +32,25 @@ impl Plan {
     /// The plan of a scene: nothing that it does not need.
     #[must_use]
     pub fn of(scene: &Scene) -> Plan {
-        let everything = Plan::everything(scene).model;
+        let everything = Plan::everything(scene);
         Plan {
             model: Model {
                 near_pressure: u32::from(scene.model.near_pressure && scene.fluid.near_stiffness != Some(0.0)),
                 viscosity: u32::from(scene.fluid.dynamic_viscosity != 0.0),
                 gravity: u32::from(scene.gravity != [0.0; 3]),
                 walls: u32::from(scene.container.is_some()),
-                ..everything
+                ..everything.model
             },
+            ..everything
         }
     }
 
     /// The same scene with every term that can be left out left in, at coefficient 0.
     #[must_use]
     pub fn everything(scene: &Scene) -> Plan {
-        let choice = &scene.model;
+        let choice = scene.model;
         Plan {
+            choice,
             model: Model {
                 density_kernel: choice.density_kernel as u32,
                 pressure_kernel: choice.pressure_kernel as u32,
@@ -86,21 +90,19 @@ impl Plan {
     /// The terms of a pass, in the order of its sums.
     #[must_use]
     pub fn terms(&self, pass: Pass) -> Terms {
-        let m = &self.model;
-        let density = ["poly6", "spiky", "cubic_spline"][m.density_kernel as usize % 3];
-        let slope = ["poly6_slope", "spiky_slope", "cubic_spline_slope"][m.pressure_kernel as usize % 3];
-        let tait = m.equation_of_state == EquationOfState::Tait as u32;
+        let (m, choice) = (&self.model, &self.choice);
+        let [density_kernel, _] = choice.density_kernel.terms();
+        let [_, pressure_slope] = choice.pressure_kernel.terms();
         let all: &[(&'static str, bool)] = match pass {
             Pass::IntegrateBefore => &[("kick", true), ("drift", true)],
             Pass::Density => &[
-                (density, true),
-                ("pressure_tait", tait),
-                ("pressure_desbrun", !tait),
+                (density_kernel, true),
+                (choice.equation_of_state.term(), true),
                 ("near_pressure", m.near_pressure == 1),
             ],
             Pass::Force => &[
-                (["pressure_mueller", "pressure_monaghan"][m.pressure_force as usize % 2], true),
-                (slope, true),
+                (choice.pressure_force.term(), true),
+                (pressure_slope, true),
                 ("near_slope", m.near_pressure == 1),
                 ("viscosity_mueller", m.viscosity == 1),
                 ("gravity", m.gravity == 1),

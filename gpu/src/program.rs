@@ -29,7 +29,7 @@ impl Words {
 
 /// The loop of a pass, as written.
 #[must_use]
-pub fn loop_text(pass: Pass) -> &'static str {
+fn loop_text(pass: Pass) -> &'static str {
     match pass {
         Pass::IntegrateBefore => include_str!("shaders/p01_integrate_before.wgsl"),
         Pass::Count => include_str!("shaders/p02_count.wgsl"),

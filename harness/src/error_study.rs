@@ -75,6 +75,9 @@ pub const CASE: &str = "still-tank";
 /// Longest run that one may ask for, s.
 const LONGEST: f64 = 1000.0;
 
+/// Fields that the study sets itself.
+const STUDIED: [&str; 3] = ["particle_spacing", "time_step", "equation_of_state"];
+
 const FULL: Ladder = Ladder { spacings: [0.025, 0.0125, 0.00625], courant: [0.4, 0.2], seconds: 2.0 };
 /// Coarse and short, for the showcase.
 pub const QUICK: Ladder = Ladder { spacings: [0.05, 0.025, 0.0125], courant: [0.4, 0.2], seconds: 1.0 };
@@ -94,6 +97,10 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
     }
     if common.changes.particles.is_some() {
         return Err(Failure::Call("--particles has no meaning here: the spacings are the study's".into()));
+    }
+    let own = |change: &&String| STUDIED.iter().any(|f| change.split('=').next().is_some_and(|path| path.ends_with(f)));
+    if let Some(change) = common.changes.set.iter().find(own) {
+        return Err(Failure::Call(format!("--set {change} has no meaning here: it is what the study varies")));
     }
     let mut ladder = if options.quick { QUICK } else { FULL };
     ladder.seconds = options.time.unwrap_or(ladder.seconds);
@@ -176,7 +183,11 @@ fn measure(base: &Named, scene: &Scene, pool: &Pool, seconds: f64) -> Result<(f6
             profile.add(&solver);
         }
     }
-    Ok((profile.hydrostatic_error(scene), wall / (steps as f64 * f64::from(scene.time_step))))
+    let error = profile.hydrostatic_error(scene);
+    if !error.is_finite() {
+        return Err(Failure::Call(format!("no profile after {steps} steps: too short a time, or no weight along -y")));
+    }
+    Ok((error, wall / (steps as f64 * f64::from(scene.time_step))))
 }
 
 /// Sums over time of each particle's height and pressure.

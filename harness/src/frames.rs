@@ -28,8 +28,8 @@ impl<'a> Film<'a> {
         Film { scene: None, steps: std::collections::VecDeque::new(), pictures: Vec::new() }
     }
 
-    /// `count` pictures in `folder`, but no more than there are states: the last one of the last of `steps` steps and, if there are more, the first one of
-    /// the start.
+    /// `count` pictures in `folder`, but no more than there are states: the last of them after the last of `steps` steps,
+    /// the first, where there is more than one, of the start.
     #[must_use]
     pub fn new(named: &'a Named, folder: &Path, count: u64, steps: u64) -> Film<'a> {
         let count = count.min(steps.saturating_add(1));

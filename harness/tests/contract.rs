@@ -65,6 +65,13 @@ fn documents_have_the_keys_that_others_rely_on() {
         assert!(left_out.contains(what), "{what}: {left_out}");
     }
 
+    let error = json(&["error", "still-tank", "--quick", "--time", "0.02", "--json"]);
+    has(&error, &["case", "runs[].label", "runs[].choice", "runs[].particles", "runs[].dt", "runs[].wall_s"]);
+    has(&error, &["runs[].error", "pareto", "reference"]);
+    let labels: Vec<&Value> = error["runs"].as_array().expect("a list").iter().map(|run| &run["label"]).collect();
+    let front = error["pareto"].as_array().expect("a list");
+    assert!(labels.len() >= 12 && !front.is_empty() && front.iter().all(|label| labels.contains(&label)), "{error}");
+
     let scenes = json(&["scenes", "--json"]);
     let names: Vec<&str> = scenes.as_array().expect("a list").iter().filter_map(|s| s["name"].as_str()).collect();
     assert_eq!(names, ["dam-break", "dam-break-2d", "still-tank", "thesis-cube"]);
@@ -82,7 +89,7 @@ fn one_field_can_be_set() {
 #[test]
 fn bad_calls_are_refused_with_status_2() {
     let folder = tempfile::tempdir().expect("a folder");
-    let calls: [(&[&str], &str); 10] = [
+    let calls: [(&[&str], &str); 12] = [
         (&["run", "no-such-scene"], "no scene \"no-such-scene\""),
         (&["run", "no-such-file.ron"], "no-such-file.ron"),
         (&["run", "dam-break", "--set", "no_such_field=1"], "no field no_such_field"),
@@ -93,6 +100,8 @@ fn bad_calls_are_refused_with_status_2() {
         (&["run", "dam-break", "--particles", "100000000"], "bytes"),
         (&["run", "dam-break", "--set", "fluid.rest_density=-1"], "fluid.rest_density is -1"),
         (&["error", "no-such-case"], "no case"),
+        (&["error", "still-tank", "--set", "time_step=0.001"], "what the study varies"),
+        (&["error", "still-tank", "--particles", "100"], "no meaning"),
     ];
     for (call, message) in calls {
         let output = millpond(folder.path(), call);

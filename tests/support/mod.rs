@@ -39,7 +39,7 @@ impl Random {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        (z ^ (z >> 31)).to_le_bytes()[..4].iter().rev().fold(0, |word, &byte| word << 8 | u32::from(byte))
+        (z ^ (z >> 31)) as u32
     }
 
     /// Between 0 and 1.

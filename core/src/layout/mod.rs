@@ -1,4 +1,4 @@
-//! The bytes that both backends share: struct of arrays of four numbers, and two structs that name their own WGSL.
+//! The bytes that both backends share: struct of arrays of four numbers, and structs that name their own WGSL.
 //!
 //! Fields are `u32`, `f32`, fours of them and arrays of those: never `vec3`, `usize` or `bool`, whose sizes differ
 //! between the languages. No hidden padding: bytemuck's derive refuses it, and a test reads the WGSL back through naga.

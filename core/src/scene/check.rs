@@ -37,10 +37,14 @@ impl Scene {
             scale("fluid.speed_of_sound", self.fluid.speed_of_sound, &[derived.near_stiffness])?;
         }
         scale("fluid.rest_density", self.fluid.rest_density, &[derived.particle_mass, derived.density_constant])?;
-        let lengths = [derived.inverse_cell, derived.inverse_support_squared, derived.pressure_constant];
-        scale("particle_spacing", self.particle_spacing, &lengths)?;
-        let constants = [derived.near_constant, derived.viscosity_constant];
-        scale("particle_spacing", self.particle_spacing, &constants)
+        let of_length = [
+            derived.inverse_cell,
+            derived.inverse_support_squared,
+            derived.pressure_constant,
+            derived.near_constant,
+            derived.viscosity_constant,
+        ];
+        scale("particle_spacing", self.particle_spacing, &of_length)
     }
 
     fn check_fluid(&self) -> Result<(), SceneError> {

@@ -39,6 +39,16 @@ pub enum Kernel {
 impl Kernel {
     /// All of them.
     pub const ALL: [Kernel; 3] = [Kernel::Poly6, Kernel::Spiky, Kernel::CubicSpline];
+
+    /// Names of its terms: value and slope.
+    #[must_use]
+    pub fn terms(self) -> [&'static str; 2] {
+        match self {
+            Kernel::Poly6 => ["poly6_w", "poly6_slope"],
+            Kernel::Spiky => ["spiky_w", "spiky_slope"],
+            Kernel::CubicSpline => ["cubic_spline_w", "cubic_spline_slope"],
+        }
+    }
 }
 
 /// How pressure follows from density.
@@ -52,6 +62,17 @@ pub enum EquationOfState {
     Desbrun = state::DESBRUN,
 }
 
+impl EquationOfState {
+    /// Name of its term.
+    #[must_use]
+    pub fn term(self) -> &'static str {
+        match self {
+            EquationOfState::Tait => "pressure_tait",
+            EquationOfState::Desbrun => "pressure_desbrun",
+        }
+    }
+}
+
 /// How pressure becomes force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -61,6 +82,17 @@ pub enum PressureForce {
     Mueller = pressure::MUELLER,
     /// Monaghan 1992 (S0 eq. 2.18): the whole gradient, and with one kernel for density and gradient it conserves energy.
     Monaghan = pressure::MONAGHAN,
+}
+
+impl PressureForce {
+    /// Name of its term.
+    #[must_use]
+    pub fn term(self) -> &'static str {
+        match self {
+            PressureForce::Mueller => "pressure_mueller",
+            PressureForce::Monaghan => "pressure_monaghan",
+        }
+    }
 }
 
 /// How much of a bounce a wall gives back.
