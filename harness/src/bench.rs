@@ -114,7 +114,7 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
     } else {
         bench(&load(&options.common.scene, &options.common.changes)?, options)?
     };
-    deliver(&options.common, "bench", &result, &table(&result))?;
+    deliver(&options.common, "bench.txt", &result, &table(&result))?;
     Ok(true)
 }
 

@@ -82,7 +82,7 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
         devices: gpu.into_iter().chain(plain).collect(),
     };
     let comparison = compare(&named, steps, &paths, &mut |_, _| ())?;
-    deliver(&options.common, "compare", &comparison, &table(&comparison))?;
+    deliver(&options.common, "compare.md", &comparison, &table(&comparison))?;
     Ok(comparison.kept())
 }
 

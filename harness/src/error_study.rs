@@ -110,7 +110,7 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
     let base = load(CASE, &common.changes)?;
     // one thread gives the steadiest times
     let study = study(&base, &ladder, &Pool::new(common.threads.max(1))?, common.out.as_deref())?;
-    deliver(common, "error-still-tank", &study, &table(&study))?;
+    deliver(common, "error-still-tank.md", &study, &table(&study))?;
     Ok(study.runs.iter().all(|run| run.error.is_some()))
 }
 

@@ -7,14 +7,14 @@ use std::io::Write as _;
 use std::path::Path;
 use std::time::Duration;
 
-/// Says a result as the caller wants it, in JSON or in words, and leaves the words in `out` as `name.md`.
+/// Says a result as the caller wants it, in JSON or in words, and leaves the words in `out` as a file of this name.
 ///
 /// # Errors
 /// A number that JSON cannot hold, a file that cannot be written.
 pub fn deliver(common: &Common, name: &str, result: &impl Serialize, words: &str) -> Result<(), Failure> {
     if let Some(folder) = &common.out {
         make_folder(folder)?;
-        write_text(&folder.join(format!("{name}.md")), words)?;
+        write_text(&folder.join(name), words)?;
     }
     if common.json { print_json(result) } else { say(words) }
 }

@@ -96,7 +96,7 @@ const USUAL_PLACES: u32 = 64;
 pub fn execute(options: &Options) -> Result<bool, Failure> {
     let named = load(&options.common.scene, &options.common.changes)?;
     let view = view(&named, &Pool::new(options.common.threads)?, options.steps)?;
-    deliver(&options.common, "plan", &view, &table(&view))?;
+    deliver(&options.common, "plan.txt", &view, &table(&view))?;
     Ok(true)
 }
 

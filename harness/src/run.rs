@@ -75,7 +75,7 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
     let frames = options.frames.unwrap_or(1);
     let folder = options.common.out.as_deref();
     let outcome = run(&named, options.backend, &pool, steps, folder.map(|folder| (folder, frames)))?;
-    deliver(&options.common, "report", &outcome, &report(&named, &outcome))?;
+    deliver(&options.common, "report.md", &outcome, &report(&named, &outcome))?;
     Ok(true)
 }
 

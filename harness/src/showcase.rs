@@ -49,15 +49,21 @@ pub fn execute() -> Result<bool, Failure> {
     tell("## A dam break\n")?;
     let steps = (named.file.duration / f64::from(scene.time_step)).round() as u64;
     let outcome = run(&named, BackendName::Cpu, &pool, steps, Some((folder, PICTURES)))?;
-    tell(run::report(&named, &outcome).trim_start_matches("# "))?;
+    tell(below_heading(&run::report(&named, &outcome)))?;
 
     tell("## What the plan leaves out\n")?;
-    tell(&plan_view::table(&plan_view::view(&named, &pool, 20)?))?;
+    tell(&format!("```text\n{}```\n", plan_view::table(&plan_view::view(&named, &pool, 20)?)))?;
 
     let tank = load(CASE, &Changes::default())?;
     let study = error_study::study(&tank, &QUICK, &Pool::new(1)?, Some(folder))?;
-    tell(error_study::table(&study).trim_start_matches("# "))?;
+    tell("## A still tank: error against run time\n")?;
+    tell(below_heading(&error_study::table(&study)))?;
     tell(&format!("Pictures, plot and this report: {FOLDER}"))?;
     write_text(&folder.join("report.md"), &report)?;
     Ok(comparison.kept() && study.runs.iter().all(|run| run.error.is_some()))
+}
+
+/// A page without its first line, for a page that has a heading of its own.
+fn below_heading(page: &str) -> &str {
+    page.split_once('\n').map_or(page, |(_, below)| below.trim_start())
 }
