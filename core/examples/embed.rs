@@ -1,43 +1,21 @@
 //! How a game embeds the fluid: memory lent once, a step a tick, particles handed to the renderer.
 //!
 //! `cargo run --release -p millpond-core --example embed`
-use millpond_core::scene::{
-    Block, Container, Dimension, Fluid, Grid, Kernel, ModelChoice, PressureForce, Reflection, Scene,
-};
+use millpond_core::scene::{Block, Container, Dimension, Fluid, Grid, ModelChoice, Scene};
 use millpond_core::{Serial, Solver, Storage};
 
 /// Room for 4096 particles in 32 x 32 x 1 cells. In a real game: a `static`, or a field of the world.
 type Pool = Storage<4096, 1024>;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let scene = Scene {
-        dimension: Dimension::Two,
-        particle_spacing: 0.02,
-        average_neighbours: 21.0,
-        time_step: 0.0004,
-        gravity: [0.0, -9.81, 0.0],
-        fluid: Fluid { rest_density: 1000.0, speed_of_sound: 20.0, dynamic_viscosity: 5.0, near_stiffness: None },
-        blocks: [Block { corner: [0.0; 3], size: [0.6, 0.8, 0.0], velocity: [0.0; 3], jitter: 0.0 }]
-            .into_iter()
-            .collect(),
-        container: Some(Container {
-            low: [0.0; 3],
-            high: [1.6, 1.2, 0.0],
-            bounce: 0.0,
-            slip: 1.0,
-            reflection: Reflection::default(),
-            open: [].into_iter().collect(),
-        }),
-        model: ModelChoice {
-            density_kernel: Kernel::CubicSpline,
-            pressure_kernel: Kernel::CubicSpline,
-            pressure_force: PressureForce::Monaghan,
-            suction: false,
-            near_pressure: false,
-            ..ModelChoice::default()
-        },
-        grid: Grid { cells: [32, 32, 1], ..Grid::default() },
-    };
+    let water = Fluid { speed_of_sound: 20.0, dynamic_viscosity: 5.0, ..Fluid::default() };
+    let block = Block { size: [0.6, 0.8, 0.0], ..Block::default() };
+    let mut scene = Scene::of(Dimension::Two, 0.02, 0.0004, water, block);
+    scene.average_neighbours = 21.0;
+    scene.gravity = [0.0, -9.81, 0.0];
+    scene.container = Some(Container::closed([0.0; 3], [1.6, 1.2, 0.0]));
+    scene.model = ModelChoice { suction: false, ..ModelChoice::modern() };
+    scene.grid = Grid { cells: [32, 32, 1], ..Grid::default() };
     let mut pool = Box::new(Pool::new());
     let mut fluid = Solver::new(&scene, pool.lend())?;
 

@@ -33,6 +33,17 @@ pub enum SceneError {
         /// Its value.
         value: f32,
     },
+    /// A field lies outside of its bounds.
+    OutOfBounds {
+        /// Which.
+        field: &'static str,
+        /// Its value.
+        value: f32,
+        /// Smallest allowed.
+        least: f32,
+        /// Largest allowed.
+        most: f32,
+    },
     /// The container has no inside along an axis.
     EmptyContainer {
         /// 0, 1, 2 for x, y, z.
@@ -62,6 +73,47 @@ pub enum SceneError {
         /// How far, m.
         by: f32,
     },
+    /// A periodic domain has no inside along an axis.
+    EmptyDomain {
+        /// 0, 1, 2 for x, y, z.
+        axis: usize,
+        /// Its low side, m.
+        low: f32,
+        /// Its high side, m.
+        high: f32,
+    },
+    /// A wall is thinner than half a spacing along an axis, or a plane has an extent across itself.
+    WallExtent {
+        /// Which wall, counted from 0.
+        wall: usize,
+        /// 0, 1, 2 for x, y, z.
+        axis: usize,
+        /// Its extent, m.
+        size: f32,
+    },
+    /// A field of accelerations needs two nodes along each axis, between which it is linear.
+    TooFewNodes {
+        /// 0, 1, 2 for x, y, z.
+        axis: usize,
+        /// Nodes along it.
+        nodes: u32,
+    },
+    /// Two choices that do not go together.
+    NotTogether {
+        /// A field and what it is.
+        choice: &'static str,
+        /// Another.
+        other: &'static str,
+        /// Why not.
+        why: &'static str,
+    },
+    /// A pressure correction by the letter, whose iteration grows instead of settling.
+    CannotConverge {
+        /// How far sound travels in a step, in particle spacings.
+        spacings: f32,
+        /// How far it may.
+        most: f32,
+    },
     /// A field, with the others, makes constants that no f32 can hold.
     OutOfScale {
         /// Which.
@@ -71,6 +123,11 @@ pub enum SceneError {
     },
     /// A plan that was not made for this scene.
     PlanOfAnotherScene,
+    /// A particle of a kind or a mass that the scene gives nobody, so that its plan leaves it out.
+    UnplannedParticle {
+        /// Its id.
+        particle: u32,
+    },
     /// A wrapped axis needs three cells, else a neighbour would be met twice.
     TooFewCells {
         /// 0, 1, 2 for x, y, z.
@@ -176,6 +233,9 @@ impl fmt::Display for SceneError {
             SceneError::NotPositive { field, value } => write!(f, "{field} is {value}, and must be larger than 0"),
             SceneError::Negative { field, value } => write!(f, "{field} is {value}, and must not be negative"),
             SceneError::NotAShare { field, value } => write!(f, "{field} is {value}, and must lie between 0 and 1"),
+            SceneError::OutOfBounds { field, value, least, most } => {
+                write!(f, "{field} is {value}, and must lie between {least} and {most}")
+            }
             SceneError::EmptyContainer { axis, low, high } => {
                 write!(f, "container has no inside along {}: low {low} m, high {high} m", AXES[axis])
             }
@@ -186,10 +246,29 @@ impl fmt::Display for SceneError {
             SceneError::BlockOutside { block, axis, by } => {
                 write!(f, "blocks[{block}] reaches {by} m through a wall along {}", AXES[axis])
             }
+            SceneError::EmptyDomain { axis, low, high } => {
+                write!(f, "periodic has no inside along {}: low {low} m, high {high} m", AXES[axis])
+            }
+            SceneError::WallExtent { wall, axis, size } => {
+                let axis = AXES[axis];
+                write!(f, "walls[{wall}] is {size} m along {axis}: give a plane 0 m across, and at least half a ")?;
+                write!(f, "particle_spacing along all else")
+            }
+            SceneError::TooFewNodes { axis, nodes } => {
+                write!(f, "field.counts has {nodes} along {}, and must have at least 2", AXES[axis])
+            }
+            SceneError::NotTogether { choice, other, why } => write!(f, "{choice} does not go with {other}: {why}"),
+            SceneError::CannotConverge { spacings, most } => {
+                write!(f, "time_step lets sound travel {spacings} spacings, and the literal pressure correction ")?;
+                write!(f, "converges up to {most}: use model.correction.iteration Relaxed, or smaller steps")
+            }
             SceneError::OutOfScale { field, value } => {
                 write!(f, "{field} is {value}, which makes constants that no f32 can hold")
             }
             SceneError::PlanOfAnotherScene => write!(f, "the plan was made for another scene"),
+            SceneError::UnplannedParticle { particle } => {
+                write!(f, "particle {particle} has a kind or a mass that no particle of the scene has")
+            }
             SceneError::TooFewCells { axis, cells } => {
                 write!(f, "grid.cells has {cells} along {}, and must have at least 3", AXES[axis])
             }

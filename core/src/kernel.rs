@@ -1,39 +1,95 @@
-//! Constants of the kernels: what makes each integrate to one, in two and in three dimensions.
+//! Constants of the kernels: what makes each integrate to one. They follow from the terms by quadrature, so that a kernel is
+//! written once.
 //!
-//! A kernel is `W(r) = c / H^d w(q)`, q = r / H, H the support radius; `terms::kernel` holds w and -dw/dq. So the gradient
-//! is `-c / H^(d+1) slope(q) x_ab / r`, and a Laplacian carries `1 / H^(d+2)`.
-use crate::scene::{Dimension, Kernel};
+//! A kernel is `W(r) = c / H^d w(q)`, q = r / H, H the support radius. So the gradient is `-c / H^(d+1) slope(q) x_ab / r`, and
+//! a Laplacian carries `1 / H^(d+2)`.
+use crate::arithmetic::double::Double;
+use crate::layout::Model;
+use crate::scene::Kernel;
+use crate::terms::kernel::{VISCOSITY, kernel_laplacian, kernel_slope, kernel_w};
+use bytemuck::Zeroable;
 use core::f64::consts::PI;
 
+/// What a kernel needs of a model: the dimension, 2 or 3. (In 1D those that depend on it are not defined.)
+fn of_dimension(d: usize) -> Model {
+    Model { layers: u32::from(d == 3), ..Model::zeroed() }
+}
+
+/// w(q), without the constant.
+#[must_use]
+pub fn value(kernel: Kernel, q: f64) -> f64 {
+    kernel_w(kernel as u32, Double(q * q)).0
+}
+
+/// `-dw/dq`, without the constant, in `d` dimensions.
+#[must_use]
+pub fn slope(kernel: Kernel, d: usize, q: f64) -> f64 {
+    kernel_slope(&of_dimension(d), kernel as u32, Double(q)).0
+}
+
+/// The Laplacian over H^2, without the constant, in `d` = 2 or 3 dimensions.
+#[must_use]
+pub fn laplacian(kernel: Kernel, d: usize, q: f64) -> f64 {
+    kernel_laplacian(&of_dimension(d), kernel as u32, Double(q)).0
+}
+
+/// Surface of the unit sphere in `d` dimensions.
+fn sphere(d: usize) -> f64 {
+    match d {
+        1 => 2.0,
+        2 => 2.0 * PI,
+        _ => 4.0 * PI,
+    }
+}
+
 impl Kernel {
-    /// The constant c that makes the kernel integrate to one.
+    /// Is it finite at no distance?
     #[must_use]
-    pub fn normalisation(self, dimension: Dimension) -> f64 {
-        match (self, dimension) {
-            (Kernel::Poly6, Dimension::Two) => 4.0 / PI,
-            (Kernel::Poly6, Dimension::Three) => 315.0 / (64.0 * PI),
-            (Kernel::Spiky, Dimension::Two) => 10.0 / PI,
-            (Kernel::Spiky, Dimension::Three) => 15.0 / PI,
-            // 5 / (14 pi h^2) and 1 / (4 pi h^3) with H = 2 h
-            (Kernel::CubicSpline, Dimension::Two) => 10.0 / (7.0 * PI),
-            (Kernel::CubicSpline, Dimension::Three) => 2.0 / PI,
-        }
+    pub fn has_value(self) -> bool {
+        self as u32 != VISCOSITY
+    }
+
+    /// Does it have an edge at no distance, where its slope does not vanish?
+    #[must_use]
+    pub fn is_cusped(self) -> bool {
+        slope(self, 3, 1e-9) > 1e-3
+    }
+
+    /// The constant c that makes the kernel integrate to one in `d` = 1, 2 or 3 dimensions.
+    #[must_use]
+    pub fn normalisation(self, d: usize) -> f64 {
+        let power = |q: f64, n: usize| core::iter::repeat_n(q, n).product::<f64>();
+        let whole = if self.has_value() {
+            integral(&|q| value(self, q) * power(q, d - 1))
+        } else {
+            // by parts, since the value is infinite and in 2D a logarithm: its slope is neither
+            integral(&|q| slope(self, d, q) * power(q, d)) / d as f64
+        };
+        1.0 / (sphere(d) * whole)
     }
 }
 
-/// Constant of the near kernel's slope `(1 - q)^3`: Spiky's (S0 section 3.1 per errata).
+/// Integral from 0 to 1 by Gauss-Legendre rules of 8 points on 8 parts, exact for polynomials of degree 15 with edges at
+/// multiples of 1/8.
 #[must_use]
-pub fn near_slope_constant(dimension: Dimension) -> f64 {
-    // Spiky's slope is 3 (1 - q)^2; the near kernel keeps the 3 and raises the power
-    3.0 * Kernel::Spiky.normalisation(dimension)
+pub fn integral(f: &dyn Fn(f64) -> f64) -> f64 {
+    const PARTS: usize = 8;
+    const RULE: [(f64, f64); 4] = [
+        (0.183_434_642_495_649_8, 0.362_683_783_378_362),
+        (0.525_532_409_916_329, 0.313_706_645_877_887_3),
+        (0.796_666_477_413_626_7, 0.222_381_034_453_374_5),
+        (0.960_289_856_497_536_2, 0.101_228_536_290_376_3),
+    ];
+    let half = 0.5 / PARTS as f64;
+    let part = |i: usize| {
+        let middle = (2 * i + 1) as f64 * half;
+        RULE.iter().map(|(x, w)| w * (f(middle - half * x) + f(middle + half * x))).sum::<f64>() * half
+    };
+    (0..PARTS).map(part).sum()
 }
 
-/// Constant of the viscosity kernel's Laplacian `1 - q` (S0 eq. 2.46; in 2D per errata): with it the second moment of the
-/// Laplacian is 2 d, so that it is exact on a quadratic field.
+/// Constant of the thesis' near slope `(1 - q)^3`: Spiky's, whose slope is `3 (1 - q)^2` (S0 section 3.1 per errata).
 #[must_use]
-pub fn viscosity_laplacian_constant(dimension: Dimension) -> f64 {
-    match dimension {
-        Dimension::Two => 40.0 / PI,
-        Dimension::Three => 45.0 / PI,
-    }
+pub fn near_slope_constant(d: usize) -> f64 {
+    3.0 * Kernel::Spiky.normalisation(d)
 }

@@ -3,8 +3,12 @@
 //! A pure function of the scene. What is left out is not computed at all, and what remains keeps its place in every sum,
 //! so a plan never changes a bit: [`Plan::everything`] runs too, and a test compares.
 use crate::layout::Model;
-use crate::scene::{Dimension, GridStructure, ModelChoice, Reflection, Scene};
+use crate::scene::{
+    DensityForm, Dimension, EquationOfState, Evaluation, GridStructure, Iteration, ModelChoice, NearPressure, Reflection,
+    Scene, Viscosity,
+};
 use crate::step::Pass;
+use crate::terms::{near, table, viscosity, wall};
 use heapless::Vec;
 
 /// What a step of a scene consists of.
@@ -26,19 +30,39 @@ pub struct LeftOut {
 }
 
 /// Names of the terms of a pass.
-pub type Terms = Vec<&'static str, 8>;
+pub type Terms = Vec<&'static str, 16>;
 
 impl Plan {
     /// The plan of a scene: nothing that it does not need.
     #[must_use]
     pub fn of(scene: &Scene) -> Plan {
         let everything = Plan::everything(scene);
+        let (fluid, choice) = (&scene.fluid, &scene.model);
+        let shears = choice.viscosity == Viscosity::Exchange && fluid.velocity_exchange != 0.0;
+        let viscous = scene.blocks.iter().any(|b| b.dynamic_viscosity.is_some_and(|mu| mu != 0.0))
+            || scene.walls.iter().any(|w| w.dynamic_viscosity.is_some_and(|mu| mu != 0.0));
+        let drags = match choice.viscosity {
+            Viscosity::Artificial => fluid.alpha != 0.0 || fluid.beta != 0.0,
+            Viscosity::Exchange => false,
+            _ => fluid.dynamic_viscosity != 0.0 || viscous,
+        };
+        let near = choice.near_pressure != NearPressure::Off && fluid.near_stiffness != Some(0.0);
+        let blocks_differ = scene.blocks.iter().any(|b| b.dynamic_viscosity.is_some());
         Plan {
             model: Model {
-                near_pressure: u32::from(scene.model.near_pressure && scene.fluid.near_stiffness != Some(0.0)),
-                viscosity: u32::from(scene.fluid.dynamic_viscosity != 0.0),
+                near_pressure: if near { everything.model.near_pressure } else { near::NEAR_OFF },
+                viscosity: if drags { everything.model.viscosity } else { viscosity::NO_VISCOSITY },
+                exchange: u32::from(shears || fluid.radial_exchange != 0.0),
                 gravity: u32::from(scene.gravity != [0.0; 3]),
+                buoyancy: u32::from(scene.ambient_density != 0.0),
+                wind: u32::from(scene.wind.is_some_and(|w| w.drag != 0.0)),
                 walls: u32::from(scene.container.is_some()),
+                wall_particles: if scene.walls.is_empty() { wall::NO_WALLS } else { everything.model.wall_particles },
+                variable_support: u32::from(choice.variable_support.is_some()),
+                masses: u32::from(choice.hydrostatic_start),
+                species: u32::from(blocks_differ || !scene.walls.is_empty()),
+                thermal_energy: u32::from(choice.thermal_energy),
+                xsph: u32::from(fluid.xsph != 0.0),
                 ..everything.model
             },
             ..everything
@@ -49,19 +73,40 @@ impl Plan {
     #[must_use]
     pub fn everything(scene: &Scene) -> Plan {
         let choice = scene.model;
+        let near = if choice.near_pressure == NearPressure::Off { NearPressure::Thesis } else { choice.near_pressure };
         Plan {
             choice,
             model: Model {
                 density_kernel: choice.density_kernel as u32,
                 pressure_kernel: choice.pressure_kernel as u32,
-                pressure_force: choice.pressure_force as u32,
+                viscosity_kernel: choice.viscosity_kernel as u32,
+                evaluation: match choice.evaluation {
+                    Evaluation::Direct => table::DIRECT,
+                    Evaluation::Table => table::TABLE,
+                    Evaluation::SquaredTable => table::SQUARED_TABLE,
+                },
+                density: choice.density as u32,
                 equation_of_state: choice.equation_of_state as u32,
+                iteration: u32::from(choice.correction.iteration == Iteration::Literal),
                 suction: u32::from(choice.suction),
-                near_pressure: 1,
-                viscosity: 1,
+                pressure_force: choice.pressure_force as u32,
+                near_pressure: near as u32,
+                viscosity: choice.viscosity as u32,
+                exchange: 1,
                 gravity: 1,
+                buoyancy: 1,
+                wind: 1,
+                field: u32::from(scene.field.is_some()),
                 walls: 1,
                 reflection: scene.container.as_ref().map_or(Reflection::default(), |c| c.reflection) as u32,
+                wall_particles: choice.wall_pressure as u32,
+                periodic: u32::from(scene.periodic_axes().next().is_some()),
+                // a table is made for one support
+                variable_support: u32::from(choice.evaluation == Evaluation::Direct),
+                masses: 1,
+                species: 1,
+                thermal_energy: 1,
+                xsph: 1,
                 layers: u32::from(scene.dimension == Dimension::Three),
                 cell_places: match scene.grid.structure {
                     GridStructure::IndexSort => 0,
@@ -74,62 +119,128 @@ impl Plan {
     /// Does this pass run?
     #[must_use]
     pub fn runs(&self, pass: Pass) -> bool {
+        let m = &self.model;
         match pass {
-            Pass::CellLists => self.model.cell_places > 0,
-            Pass::Place => self.model.cell_places == 0,
+            Pass::CellLists => m.cell_places > 0,
+            Pass::Place => m.cell_places == 0,
+            Pass::Support => m.variable_support == 1,
+            Pass::PressureForce | Pass::PressureCorrect | Pass::PressureSettle => m.corrects_pressure(),
+            Pass::Heat => m.thermal_energy == 1,
+            Pass::Smooth => m.xsph == 1,
             _ => true,
         }
     }
 
-    /// The passes that run, in order.
+    /// The passes that run, in order, each once.
     pub fn passes(&self) -> impl Iterator<Item = Pass> + use<> {
         let plan = *self;
         Pass::ALL.into_iter().filter(move |&pass| plan.runs(pass))
+    }
+
+    /// Most iterations of pressure in a step; 0 with an equation of state.
+    #[must_use]
+    pub fn iterations(&self) -> u32 {
+        if self.model.corrects_pressure() { self.choice.correction.iterations } else { 0 }
     }
 
     /// The terms of a pass, in the order of its sums.
     #[must_use]
     pub fn terms(&self, pass: Pass) -> Terms {
         let (m, choice) = (&self.model, &self.choice);
-        let [density_kernel, _] = choice.density_kernel.terms();
-        let [_, pressure_slope] = choice.pressure_kernel.terms();
-        let all: &[(&'static str, bool)] = match pass {
-            Pass::IntegrateBefore => &[("kick", true), ("drift", true)],
-            Pass::Density => &[
-                (density_kernel, true),
-                (choice.equation_of_state.term(), true),
-                ("near_pressure", m.near_pressure == 1),
-            ],
-            Pass::Force => &[
-                (choice.pressure_force.term(), true),
-                (pressure_slope, true),
-                ("near_slope", m.near_pressure == 1),
-                ("viscosity_mueller", m.viscosity == 1),
-                ("gravity", m.gravity == 1),
-            ],
-            Pass::IntegrateAfter => &[("kick", true), ("penalty_walls", m.walls == 1)],
-            _ => &[],
+        let mut terms = Terms::new();
+        let mut add = |names: &[&'static str], runs: bool| {
+            if runs {
+                // as many as a pass has terms at most
+                let _ = terms.extend_from_slice(names);
+            }
         };
-        all.iter().filter(|(_, runs)| *runs).map(|(name, _)| *name).collect()
+        let value = &choice.density_kernel.terms()[..1];
+        let slope = &choice.pressure_kernel.terms()[1..];
+        let continuity = choice.density == DensityForm::Continuity;
+        let corrects = m.corrects_pressure();
+        match pass {
+            Pass::IntegrateBefore => {
+                add(&["kick", "drift"], true);
+                add(&["xsph"], m.xsph == 1);
+                add(&["wrap"], m.periodic == 1);
+            }
+            Pass::Support => add(&["support_close"], true),
+            Pass::Density => {
+                add(choice.density.terms(), true);
+                add(if continuity { slope } else { value }, true);
+                add(&["interpolated"], m.reads_tables());
+                add(choice.equation_of_state.terms(), !corrects);
+                add(&choice.near_pressure.terms()[..choice.near_pressure.terms().len().min(1)], m.near_pressure != 0);
+            }
+            Pass::Force => {
+                add(choice.pressure_force.terms(), !corrects);
+                add(slope, !corrects);
+                add(choice.wall_pressure.terms(), m.wall_particles != 0);
+                add(&choice.near_pressure.terms()[choice.near_pressure.terms().len().min(1)..], m.near_pressure != 0);
+                add(choice.viscosity.terms(), m.viscosity != 0 && choice.viscosity != Viscosity::Exchange);
+                add(&["exchange_neighbour"], m.exchange == 1);
+                add(&["weight"], m.gravity == 1);
+                add(&["buoyancy"], m.buoyancy == 1);
+                add(&["wind_drag"], m.wind == 1);
+                add(&["field_share"], m.field == 1);
+            }
+            Pass::PressureForce => {
+                add(choice.pressure_force.terms(), true);
+                add(slope, true);
+            }
+            Pass::PressureCorrect => add(&["continuity_neighbour", "density_miss", "pressure_corrected"], true),
+            Pass::Heat => add(&["heat_neighbour"], true),
+            Pass::IntegrateAfter => {
+                add(&["kick"], true);
+                add(&["penalty_walls"], m.walls == 1);
+            }
+            Pass::Smooth => add(&["xsph_neighbour"], true),
+            _ => {}
+        }
+        terms
     }
 
     /// What the scene does without.
     #[must_use]
-    pub fn left_out(&self) -> Vec<LeftOut, 16> {
-        let m = &self.model;
+    pub fn left_out(&self) -> Vec<LeftOut, 32> {
+        let (m, choice) = (&self.model, &self.choice);
         let lists = m.cell_places > 0;
         let all = [
-            (m.near_pressure == 0, "near pressure", "model.near_pressure is off, or its stiffness is 0"),
-            (m.viscosity == 0, "viscosity", "fluid.dynamic_viscosity is 0"),
+            (m.near_pressure == 0, "near pressure", "model.near_pressure is Off, or its stiffness is 0"),
+            (
+                m.viscosity == 0,
+                "viscosity",
+                match choice.viscosity {
+                    Viscosity::Artificial => "fluid.alpha and fluid.beta are 0",
+                    Viscosity::Exchange => "velocities are exchanged instead",
+                    _ => "fluid.dynamic_viscosity is 0",
+                },
+            ),
+            (m.exchange == 0, "exchange of velocities", "fluid.velocity_exchange and fluid.radial_exchange are unused or 0"),
             (m.gravity == 0, "gravity", "gravity is 0"),
+            (m.buoyancy == 0, "buoyancy", "ambient_density is 0"),
+            (m.wind == 0, "wind", "the scene has none"),
+            (m.field == 0, "field of the host's", "the scene has none"),
             (m.walls == 0, "penalty walls", "the scene has no container"),
+            (m.wall_particles == 0, "walls of particles", "the scene has none"),
+            (m.periodic == 0, "periodic images", "no axis is periodic"),
+            (m.variable_support == 0, "variable support", "model.variable_support is not set"),
+            (m.masses == 0, "masses", "all particles have the same"),
+            (m.species == 0, "kinds of particle", "there is one fluid and no wall of particles"),
+            (m.thermal_energy == 0, "thermal energy", "model.thermal_energy is off"),
+            (m.xsph == 0, "XSPH", "fluid.xsph is 0"),
+            (!m.reads_tables(), "kernel tables", "model.evaluation is Direct"),
+            (
+                choice.equation_of_state != EquationOfState::PressureCorrection,
+                "pressure correction",
+                "model.equation_of_state is an equation",
+            ),
             (m.layers == 0, "cells along z", "the scene is in 2D: a stencil of 9 cells"),
             (!lists, "cell lists", "grid.structure is the index sort"),
             (lists, "index sort", "grid.structure is cell lists"),
             (true, "surface tension", "no scene of this version can ask for it"),
             (true, "elasticity", "no scene of this version can ask for it"),
             (true, "bodies", "no scene of this version can ask for it"),
-            (true, "boundary particles", "no scene of this version can ask for it"),
             (true, "emitters over time", "no scene of this version can ask for it"),
         ];
         all.into_iter().filter(|(left_out, ..)| *left_out).map(|(_, what, why)| LeftOut { what, why }).collect()

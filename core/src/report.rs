@@ -4,7 +4,9 @@ use crate::grid::{Cells, Stencil, cell_of};
 use crate::hash::tree_sum;
 use crate::passes::{p02_count, p04_scan, p05_place};
 use crate::solver::Solver;
-use crate::terms::geometry::length2;
+use crate::layout::f32x4;
+use crate::terms::pair::{pair_scale, separation, squared_ratio};
+use crate::terms::support::support_close;
 
 /// How far the fluid is compressed beyond its rest density, as a share of it.
 ///
@@ -18,28 +20,69 @@ pub struct DensityError {
     pub max: f64,
 }
 
+/// Energies of the fluid, J (per metre of depth in 2D); walls have none.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Energies {
+    /// Of motion.
+    pub kinetic: f64,
+    /// Thermal; 0 where a scene keeps no account of it.
+    pub internal: f64,
+    /// In the field of gravity, from the origin; ambient buoyancy counted by the rest density.
+    pub potential: f64,
+}
+
 impl Solver<'_> {
     /// Compression of the fluid.
     #[must_use]
     pub fn density_error(&self) -> DensityError {
-        let (slots, densities) = (self.slots(), &self.state().density_pressure);
-        let rest = f64::from(self.parameters().rest_density);
-        let error = |id: usize| (f64::from(densities[slots[id] as usize][0]) / rest - 1.0).max(0.0);
-        let count = slots.len();
+        let (slots, state) = (self.slots(), &self.state());
+        let fluid = (0..slots.len()).filter(|&id| !self.is_wall(slots[id] as usize)).count();
+        let error = |id: usize| {
+            let slot = slots[id] as usize;
+            if self.is_wall(slot) { 0.0 } else { f64::from(state.density_pressure[slot][0]).max(0.0) }
+        };
         DensityError {
-            mean: tree_sum(count, &error) / count.max(1) as f64,
-            max: (0..count).map(error).fold(0.0, f64::max),
+            mean: tree_sum(slots.len(), &error) / fluid.max(1) as f64,
+            max: (0..slots.len()).map(error).fold(0.0, f64::max),
+        }
+    }
+
+    /// Energies of the fluid, summed in order of the ids.
+    #[must_use]
+    pub fn energies(&self) -> Energies {
+        let (slots, state, p) = (self.slots(), self.state(), self.parameters());
+        let dot = |a: f32x4, b: f32x4| (0..3).map(|i| f64::from(a[i]) * f64::from(b[i])).sum::<f64>();
+        let lift = 1.0 - f64::from(p.ambient_ratio);
+        let sum = |energy: &dyn Fn(usize) -> f64| {
+            let of = |id: usize| {
+                let slot = slots[id] as usize;
+                let mass = f64::from(state.position[slot][3]) * f64::from(p.particle_mass);
+                if self.is_wall(slot) { 0.0 } else { mass * energy(slot) }
+            };
+            tree_sum(slots.len(), &of)
+        };
+        Energies {
+            kinetic: sum(&|slot| 0.5 * dot(state.velocity[slot], state.velocity[slot])),
+            internal: sum(&|slot| state.heat.get(slot).map_or(0.0, |heat| f64::from(heat[0]))),
+            potential: sum(&|slot| -lift * dot(p.gravity, state.position[slot])),
         }
     }
 
     /// Calls `visit` with the ids of every pair inside each other's support, each pair in both directions and every
     /// particle with itself, in the order in which the next step would sum them where it did not move anything.
     pub fn each_pair(&mut self, mut visit: impl FnMut(u32, u32)) {
-        let (p, layers) = (*self.parameters(), self.plan().model.layers as i32);
+        self.visit_pairs(|solver, a, b| visit(solver.state().id[a], solver.state().id[b]));
+    }
+
+    /// The same, of slots.
+    fn visit_pairs(&mut self, mut visit: impl FnMut(&Solver<'_>, usize, usize)) {
+        let (p, m) = (*self.parameters(), self.plan().model);
+        let layers = m.layers as i32;
         self.sort_again();
         let state = self.state();
         let scratch = &self.memory.scratch;
         let cells = Cells { begin: scratch.begin, counter: scratch.counter };
+        let support = |slot: usize| support_close(&m, &p, state.density_pressure[slot][0]);
         for cell in 0..cells.begin.len() {
             let members = cells.members(cell);
             if members.is_empty() {
@@ -49,21 +92,24 @@ impl Solver<'_> {
             for a in &scratch.order[members] {
                 for b in stencil.runs().flat_map(|run| &scratch.order[run]) {
                     let (a, b) = (*a as usize, *b as usize);
-                    let x_ab = vec3::<f32>::splat(state.position[a]) - vec3::splat(state.position[b]);
-                    if length2(x_ab) * p.inverse_support_squared < 1.0 {
-                        visit(state.id[a], state.id[b]);
+                    let (x_a, x_b) = (vec3::<f32>::splat(state.position[a]), vec3::splat(state.position[b]));
+                    let x_ab = separation(&m, &p, x_a, x_b);
+                    let scale = pair_scale(&m, support(a), support(b));
+                    if squared_ratio(&m, &p, x_ab, scale) < 1.0 {
+                        visit(self, a, b);
                     }
                 }
             }
         }
     }
 
-    /// Mean number of particles inside a support radius, each counting itself.
+    /// Mean number of particles inside the support radius of a particle of the fluid, itself counted.
     #[must_use]
     pub fn average_neighbours(&mut self) -> f64 {
+        let fluid = (0..self.slots().len()).filter(|&slot| !self.is_wall(slot)).count();
         let mut pairs = 0u64;
-        self.each_pair(|_, _| pairs += 1);
-        pairs as f64 / self.slots().len().max(1) as f64
+        self.visit_pairs(|solver, a, _| pairs += u64::from(!solver.is_wall(a)));
+        pairs as f64 / fluid.max(1) as f64
     }
 
     /// Particles of the fullest cell: cell lists with fewer places would refuse this state.

@@ -4,34 +4,27 @@ use crate::error::{SceneError, StepError};
 use crate::executor::{Executor, Serial};
 use crate::guided::parameters;
 use crate::hash::state_hash;
-use crate::layout::{Parameters, f32x4};
+use crate::layout::{Parameters, SPECIES, f32x4};
 use crate::passes::Setup;
 use crate::plan::Plan;
 use crate::scene::{Dimension, Place, Scene, check_count, places};
-use crate::step::{self, Pass};
+use crate::step::{self, Pass, Settled};
 use crate::storage::{Memory, Needs, State};
+use crate::tables::fill_tables;
 use glam::Vec3;
 
 /// A fluid that can be stepped.
 ///
 /// ```
-/// use millpond_core::scene::{Block, Dimension, Fluid, Grid, ModelChoice, Scene};
+/// use millpond_core::scene::{Block, Dimension, Fluid, Grid, Scene};
 /// use millpond_core::{Serial, Solver, Storage};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-/// let block = Block { corner: [0.0; 3], size: [0.5; 3], velocity: [0.0; 3], jitter: 0.0 };
-/// let scene = Scene {
-///     dimension: Dimension::Three,
-///     particle_spacing: 0.05,
-///     average_neighbours: 32.0,
-///     time_step: 0.001,
-///     gravity: [0.0, -9.81, 0.0],
-///     fluid: Fluid { rest_density: 1000.0, speed_of_sound: 10.0, dynamic_viscosity: 1.0, near_stiffness: None },
-///     blocks: [block].into_iter().collect(),
-///     container: None,
-///     model: ModelChoice::default(),
-///     grid: Grid { cells: [8, 8, 8], ..Grid::default() },
-/// };
+/// let water = Fluid { dynamic_viscosity: 1.0, ..Fluid::default() };
+/// let block = Block { size: [0.5; 3], ..Block::default() };
+/// let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, water, block);
+/// scene.gravity = [0.0, -9.81, 0.0];
+/// scene.grid = Grid { cells: [8, 8, 8], ..Grid::default() };
 /// let mut storage = Box::new(Storage::<1000, 512>::new());
 /// let mut solver = Solver::new(&scene, storage.lend())?;
 /// for _ in 0..10 {
@@ -48,6 +41,8 @@ pub struct Solver<'m> {
     parameters: Parameters,
     simd: Simd,
     steps: u64,
+    settled: Settled,
+    total_iterations: u64,
     /// Which of the two states is the fluid; the other is where a step is tried.
     current: usize,
     pub(crate) memory: Memory<'m>,
@@ -66,6 +61,21 @@ pub struct Particle {
     pub density: f32,
     /// Pa.
     pub pressure: f32,
+    /// J/kg; 0 where a scene keeps no account of it.
+    pub thermal_energy: f32,
+    /// Does it belong to a wall?
+    pub wall: bool,
+}
+
+/// What the pressure correction came to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CorrectionReport {
+    /// Iterations of the last step.
+    pub iterations: u32,
+    /// Iterations of all steps.
+    pub total_iterations: u64,
+    /// Largest density miss that the last step was left with, over the rest density.
+    pub residual: f32,
 }
 
 impl<'m> Solver<'m> {
@@ -94,18 +104,21 @@ impl<'m> Solver<'m> {
         if plan != Plan::of(scene) && plan != Plan::everything(scene) {
             return Err(SceneError::PlanOfAnotherScene);
         }
-        let memory = memory.cut(Needs { particles: count, ..Needs::of(scene) })?;
+        let memory = memory.cut(&Needs { particles: count, ..Needs::by_plan(scene, &plan) })?;
         let parameters = Parameters { particle_count: count as u32, ..parameters(scene) };
         let simd = Simd::detect();
-        let mut solver = Solver { plan, parameters, simd, steps: 0, current: 0, memory };
-        solver.fill(scene.dimension, places)?;
+        let settled = Settled::default();
+        let mut solver = Solver { plan, parameters, simd, steps: 0, settled, total_iterations: 0, current: 0, memory };
+        fill_tables(&scene.model, scene.dimension.count(), solver.memory.tables);
+        solver.memory.field.fill([0.0; 4]);
+        solver.fill(scene, places)?;
         // with time standing still a step evaluates the first accelerations and sorts the particles
         solver.advance(&Serial, &parameters.at_rest(), &mut |_| ())?;
         Ok(solver)
     }
 
     /// Writes the particles into the current state.
-    fn fill(&mut self, dimension: Dimension, places: impl IntoIterator<Item = Place>) -> Result<(), SceneError> {
+    fn fill(&mut self, scene: &Scene, places: impl IntoIterator<Item = Place>) -> Result<(), SceneError> {
         let state = &mut self.memory.states[self.current];
         let needed = state.id.len();
         let mut places = places.into_iter();
@@ -114,14 +127,25 @@ impl<'m> Solver<'m> {
                 return Err(SceneError::CapacityExceeded { what: "places of particles", needed, capacity: slot });
             };
             let ([x, y, z], [u, v, w]) = (place.position, place.velocity);
-            if dimension == Dimension::Two && (z != 0.0 || w != 0.0) {
+            if scene.dimension == Dimension::Two && (z != 0.0 || w != 0.0) {
                 return Err(SceneError::OutOfPlane);
             }
-            state.position[slot] = [x, y, z, 0.0];
-            state.velocity[slot] = [u, v, w, 0.0];
+            let kinds = SPECIES as u32;
+            let (masses, species) = (self.plan.model.masses == 1, self.plan.model.species == 1);
+            if place.species >= kinds || (place.species > 0 && !species) || (place.mass != 1.0 && !masses) {
+                return Err(SceneError::UnplannedParticle { particle: slot as u32 });
+            }
+            if !(place.mass > 0.0 && place.mass.is_finite()) {
+                return Err(SceneError::NotPositive { field: "mass of a particle", value: place.mass });
+            }
+            state.position[slot] = [x, y, z, place.mass];
+            state.velocity[slot] = [u, v, w, place.species as f32];
             state.acceleration[slot] = [0.0; 4];
+            state.density_pressure[slot] = [place.deviation, place.pressure, 0.0, 0.0];
             state.id[slot] = slot as u32;
         }
+        state.smoothing.fill([0.0; 4]);
+        state.heat.fill([scene.fluid.thermal_energy, 0.0, 0.0, 0.0]);
         match places.next() {
             Some(_) => {
                 let needed = needed + 1;
@@ -152,8 +176,27 @@ impl<'m> Solver<'m> {
     /// As for [`Solver::step`].
     pub fn step_observed(&mut self, executor: &impl Executor, begins: &mut dyn FnMut(Pass)) -> Result<(), StepError> {
         let parameters = self.parameters;
-        self.advance(executor, &parameters, begins)?;
+        let settled = self.advance(executor, &parameters, begins)?;
         self.steps += 1;
+        self.settled = settled;
+        self.total_iterations += u64::from(settled.iterations);
+        Ok(())
+    }
+
+    /// The host's field from now on, one acceleration a node of [`Scene::field`], x fastest, m/s2; the fourth numbers are
+    /// unused. A field that changes with time is set again before each step.
+    ///
+    /// # Errors
+    /// Fewer or more nodes than the scene says, or a value that is not finite; the field then stays as it was.
+    pub fn set_field(&mut self, nodes: &[f32x4]) -> Result<(), SceneError> {
+        let (needed, capacity) = (nodes.len(), self.memory.field.len());
+        if needed != capacity {
+            return Err(SceneError::CapacityExceeded { what: "nodes of the field", needed, capacity });
+        }
+        if let Some(&value) = nodes.as_flattened().iter().find(|x| !x.is_finite()) {
+            return Err(SceneError::NotFinite { field: "field", value });
+        }
+        self.memory.field.copy_from_slice(nodes);
         Ok(())
     }
 
@@ -162,16 +205,19 @@ impl<'m> Solver<'m> {
         executor: &impl Executor,
         parameters: &Parameters,
         begins: &mut dyn FnMut(Pass),
-    ) -> Result<(), StepError> {
-        let setup = Setup { model: &self.plan.model, parameters, simd: self.simd };
-        let [a, b] = &mut self.memory.states;
+    ) -> Result<Settled, StepError> {
+        let Memory { states: [a, b], slot: slots, scratch, tables, field } = &mut self.memory;
+        let setup = Setup { model: &self.plan.model, parameters, tables, field, simd: self.simd };
         let (old, new) = if self.current == 0 { (&*a, b) } else { (&*b, a) };
-        step::run(setup, executor, begins, self.steps as u32, old, new, &mut self.memory.scratch)?;
+        // time that stands still has no next density to aim at
+        let iterations = if parameters.time_step > 0.0 { self.plan.iterations() } else { 0 };
+        let attempt = (self.steps as u32, iterations);
+        let settled = step::run(setup, executor, begins, attempt, old, new, scratch)?;
         for (slot, &id) in new.id.iter().enumerate() {
-            self.memory.slot[id as usize] = slot as u32;
+            slots[id as usize] = slot as u32;
         }
         self.current = 1 - self.current;
-        Ok(())
+        Ok(settled)
     }
 
     /// The fluid as it lies in memory, sorted by the cells that its particles had before walls moved them.
@@ -196,10 +242,43 @@ impl<'m> Solver<'m> {
         let vector = |[x, y, z, _]: f32x4| Vec3::new(x, y, z);
         self.memory.slot.iter().enumerate().map(move |(id, &slot)| {
             let slot = slot as usize;
-            let [density, pressure, ..] = state.density_pressure[slot];
+            let [deviation, pressure, ..] = state.density_pressure[slot];
             let (position, velocity) = (vector(state.position[slot]), vector(state.velocity[slot]));
-            Particle { id: id as u32, position, velocity, density, pressure }
+            Particle {
+                id: id as u32,
+                position,
+                velocity,
+                density: (deviation + 1.0) * self.parameters.rest_density,
+                pressure,
+                thermal_energy: state.heat.get(slot).map_or(0.0, |heat| heat[0]),
+                wall: self.is_wall(slot),
+            }
         })
+    }
+
+    /// Does the particle in a slot belong to a wall?
+    pub(crate) fn is_wall(&self, slot: usize) -> bool {
+        let kind = self.state().velocity[slot][3] as usize;
+        self.plan.model.species == 1 && self.parameters.species[kind.min(SPECIES - 1)][1] > 0.0
+    }
+
+    /// What the pressure correction came to; all zero with an equation of state.
+    #[must_use]
+    pub fn correction(&self) -> CorrectionReport {
+        let Settled { iterations, residual } = self.settled;
+        CorrectionReport { iterations, total_iterations: self.total_iterations, residual }
+    }
+
+    /// Kernels as tables; empty where the scene reads none.
+    #[must_use]
+    pub fn tables(&self) -> &[f32] {
+        self.memory.tables
+    }
+
+    /// Nodes of the host's field; empty where the scene has none.
+    #[must_use]
+    pub fn field(&self) -> &[f32x4] {
+        self.memory.field
     }
 
     /// Hash of all positions and velocities: equal if and, practically, only if every bit is.

@@ -3,102 +3,111 @@ use crate::error::StepError;
 use crate::executor::Executor;
 use crate::grid::Cells;
 use crate::layout::{NONE, Status};
-use crate::passes::p09_force::Inputs;
+use crate::passes::local::Particles;
+use crate::passes::pairs::Lists;
 use crate::passes::{
-    Setup, p01_integrate_before, p02_count, p03_cell_lists, p04_scan, p05_place, p06_order, p07_gather, p08_density,
-    p09_force, p10_integrate_after, p11_commit,
+    Setup, p01_integrate_before, p02_count, p03_cell_lists, p04_scan, p05_place, p06_order, p07_gather, p08_support,
+    p09_density, p10_force, p11_pressure_force, p12_pressure_correct, p13_pressure_settle, p14_heat, p15_smooth,
+    p16_integrate_after, p17_commit,
 };
 use crate::storage::{Scratch, State};
 
-/// The passes of a step, in the order in which they run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Pass {
-    /// Half kick, drift, cell of each particle.
-    IntegrateBefore,
-    /// Particles of each cell.
-    Count,
-    /// Places of each cell (cell lists).
-    CellLists,
-    /// First slot of each cell.
-    Scan,
-    /// Slot of each particle (index sort).
-    Place,
-    /// Ids ascending inside each cell.
-    Order,
-    /// Particles into their slots.
-    Gather,
-    /// Density and pressures.
-    Density,
-    /// Accelerations.
-    Force,
-    /// Half kick, walls, a look for what is not finite.
-    IntegrateAfter,
-    /// The step counts, or says why not.
-    Commit,
+/// Declares the passes once: name, what it does, name of its file.
+macro_rules! passes {
+    ($($(#[$doc:meta])* $pass:ident = $name:literal,)*) => {
+        /// The passes of a step, in the order in which they run.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Pass { $($(#[$doc])* $pass,)* }
+
+        impl Pass {
+            /// All of them, in order.
+            pub const ALL: [Pass; [$($name),*].len()] = [$(Pass::$pass),*];
+
+            /// Name of its file here, of its shader, of its row in a benchmark.
+            #[must_use]
+            pub fn name(self) -> &'static str {
+                match self { $(Pass::$pass => $name,)* }
+            }
+        }
+    };
 }
 
-impl Pass {
-    /// All of them, in order.
-    pub const ALL: [Pass; 11] = [
-        Pass::IntegrateBefore,
-        Pass::Count,
-        Pass::CellLists,
-        Pass::Scan,
-        Pass::Place,
-        Pass::Order,
-        Pass::Gather,
-        Pass::Density,
-        Pass::Force,
-        Pass::IntegrateAfter,
-        Pass::Commit,
-    ];
+passes! {
+    /// Half kick, drift.
+    IntegrateBefore = "p01_integrate_before",
+    /// Cell of each particle, particles of each cell.
+    Count = "p02_count",
+    /// Places of each cell (cell lists).
+    CellLists = "p03_cell_lists",
+    /// First slot of each cell.
+    Scan = "p04_scan",
+    /// Slot of each particle (index sort).
+    Place = "p05_place",
+    /// Ids ascending inside each cell.
+    Order = "p06_order",
+    /// Particles into their slots.
+    Gather = "p07_gather",
+    /// Support radii (where they vary).
+    Support = "p08_support",
+    /// Density and pressures.
+    Density = "p09_density",
+    /// Accelerations.
+    Force = "p10_force",
+    /// Accelerations by pressure (where it is corrected; once more than the next two).
+    PressureForce = "p11_pressure_force",
+    /// Pressures (where they are corrected).
+    PressureCorrect = "p12_pressure_correct",
+    /// Whether that will do.
+    PressureSettle = "p13_pressure_settle",
+    /// Thermal energy (where it is kept account of).
+    Heat = "p14_heat",
+    /// Velocities to move with (XSPH).
+    Smooth = "p15_smooth",
+    /// Half kick, penalty walls, a look for what is not finite.
+    IntegrateAfter = "p16_integrate_after",
+    /// The step counts, or says why not.
+    Commit = "p17_commit",
+}
 
-    /// Name of its file here, of its shader, of its row in a benchmark.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Pass::IntegrateBefore => "p01_integrate_before",
-            Pass::Count => "p02_count",
-            Pass::CellLists => "p03_cell_lists",
-            Pass::Scan => "p04_scan",
-            Pass::Place => "p05_place",
-            Pass::Order => "p06_order",
-            Pass::Gather => "p07_gather",
-            Pass::Density => "p08_density",
-            Pass::Force => "p09_force",
-            Pass::IntegrateAfter => "p10_integrate_after",
-            Pass::Commit => "p11_commit",
-        }
-    }
+/// What a step of corrected pressure came to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Settled {
+    /// Iterations made.
+    pub iterations: u32,
+    /// Largest density miss of the last one, over the rest density.
+    pub residual: f32,
 }
 
 /// Makes `new` from `old`, or says why it cannot; `old` stays as it was. `begins` is told of each pass before it runs.
+/// Pressure is iterated at most `iterations` times.
 pub(crate) fn run(
     setup: Setup<'_>,
     executor: &impl Executor,
     begins: &mut dyn FnMut(Pass),
-    steps: u32,
+    (steps, iterations): (u32, u32),
     old: &State<'_>,
     new: &mut State<'_>,
     scratch: &mut Scratch<'_>,
-) -> Result<(), StepError> {
-    let places = setup.model.cell_places;
+) -> Result<Settled, StepError> {
+    let (m, p) = (setup.model, setup.parameters);
+    let places = m.cell_places;
     let fine = Status::fine(steps);
     let s = scratch;
 
     begins(Pass::IntegrateBefore);
     // the moved particles wait where densities and accelerations will stand
     let (waiting_position, waiting_velocity) = (&mut *new.density_pressure, &mut *new.acceleration);
-    let out_of_range = p01_integrate_before::run(setup, executor, old, waiting_position, waiting_velocity, s.cell);
-    p11_commit::verdict(&Status { out_of_range, ..fine }, places)?;
+    p01_integrate_before::run(setup, executor, old, waiting_position, waiting_velocity);
 
     begins(Pass::Count);
+    let out_of_range = p02_count::find(p, executor, waiting_position, old.id, s.cell);
+    p17_commit::verdict(&Status { out_of_range, ..fine }, places)?;
     p02_count::run(s.cell, s.rank, s.counter);
     if places > 0 {
         begins(Pass::CellLists);
         let cell_full = p03_cell_lists::run(s.cell, s.rank, places, s.grid_cells);
         let cell_count = if cell_full == NONE { 0 } else { s.counter[cell_full as usize] };
-        p11_commit::verdict(&Status { cell_full, cell_count, ..fine }, places)?;
+        p17_commit::verdict(&Status { cell_full, cell_count, ..fine }, places)?;
     }
     begins(Pass::Scan);
     p04_scan::run(s.counter, s.begin);
@@ -112,21 +121,60 @@ pub(crate) fn run(
     begins(Pass::Gather);
     p07_gather::run(executor, s.order, waiting_position, new.position);
     p07_gather::run(executor, s.order, waiting_velocity, new.velocity);
+    if m.needs_previous() {
+        p07_gather::run(executor, s.order, old.density_pressure, s.previous);
+    }
+    if m.thermal_energy == 1 {
+        p07_gather::run(executor, s.order, old.heat, new.heat);
+    }
+    if m.variable_support == 1 {
+        begins(Pass::Support);
+        p08_support::run(setup, executor, s.previous);
+    }
 
     begins(Pass::Density);
-    p08_density::run(setup, executor, sorted, new.position, new.density_pressure, s.block, s.list);
+    let unknown =
+        Particles { position: new.position, velocity: new.velocity, density_pressure: &[], previous: s.previous };
+    p09_density::run(setup, executor, sorted, unknown, new.density_pressure, s.block, s.list);
+    let lists = Lists { sorted, block: s.block, list: s.list };
     begins(Pass::Force);
-    let inputs = Inputs {
-        position: new.position,
-        velocity: new.velocity,
-        density_pressure: new.density_pressure,
-        block: s.block,
-        list: s.list,
-    };
-    p09_force::run(setup, executor, sorted, inputs, new.acceleration);
+    let mut settled = Settled::default();
+    let known = Particles { density_pressure: new.density_pressure, ..unknown };
+    if m.corrects_pressure() {
+        p10_force::run(setup, executor, known, lists, s.free);
+        for _ in 0..iterations {
+            begins(Pass::PressureForce);
+            let known = Particles { density_pressure: new.density_pressure, ..unknown };
+            p11_pressure_force::run(setup, executor, known, lists, s.free, new.acceleration);
+            begins(Pass::PressureCorrect);
+            let (acceleration, pressures) = (&*new.acceleration, &mut *new.density_pressure);
+            let residual = p12_pressure_correct::run(setup, executor, unknown, lists, acceleration, pressures);
+            begins(Pass::PressureSettle);
+            settled = Settled { iterations: settled.iterations + 1, residual: f32::from_bits(residual) };
+            if p13_pressure_settle::run(p, residual) {
+                break;
+            }
+        }
+        begins(Pass::PressureForce);
+        let known = Particles { density_pressure: new.density_pressure, ..unknown };
+        p11_pressure_force::run(setup, executor, known, lists, s.free, new.acceleration);
+    } else {
+        p10_force::run(setup, executor, known, lists, new.acceleration);
+    }
+
+    let known = Particles { density_pressure: new.density_pressure, ..unknown };
+    if m.thermal_energy == 1 {
+        begins(Pass::Heat);
+        p14_heat::run(setup, executor, known, lists, new.acceleration, new.heat);
+    }
+    if m.xsph == 1 {
+        begins(Pass::Smooth);
+        p15_smooth::run(setup, executor, known, lists, new.acceleration, new.smoothing);
+    }
     begins(Pass::IntegrateAfter);
-    let not_finite = p10_integrate_after::run(setup, executor, new);
+    let not_finite = p16_integrate_after::run(setup, executor, new);
 
     begins(Pass::Commit);
-    p11_commit::verdict(&Status { not_finite, ..fine }, places)
+    p17_commit::verdict(&Status { not_finite, ..fine }, places)?;
+    Ok(settled)
 }

@@ -3,8 +3,9 @@
 //! [`Storage`] is all zero, so as a `static` it lies in .bss and costs the binary nothing. The solver itself only sees
 //! [`Memory`], slices of any origin, and so is compiled once for every capacity.
 use crate::error::SceneError;
-use crate::layout::f32x4;
-use crate::scene::{GridStructure, Scene};
+use crate::layout::{TABLE_WORDS, Tables, f32x4};
+use crate::plan::Plan;
+use crate::scene::Scene;
 
 /// Entries of the neighbour lists for each particle. A block whose list is full walks its stencil again; 25 was the
 /// largest mean seen in moving fluid of 27 to 32 neighbours.
@@ -13,14 +14,18 @@ pub const LIST_ENTRIES: usize = 32;
 /// The arrays of one state. A step reads one and writes the other.
 #[derive(Debug)]
 pub struct State<'m> {
-    /// Position, m; w unused.
+    /// Position, m; w: mass over the scene's particle mass.
     pub position: &'m mut [f32x4],
-    /// Velocity, m/s; w unused.
+    /// Velocity, m/s; w: which of the scene's kinds of particle.
     pub velocity: &'m mut [f32x4],
     /// Acceleration at that position, m/s2; w unused.
     pub acceleration: &'m mut [f32x4],
     /// [`QUANTITIES`](crate::layout::QUANTITIES) of each particle.
     pub density_pressure: &'m mut [f32x4],
+    /// Velocity to move with beside a particle's own, m/s; w unused. Only with XSPH.
+    pub smoothing: &'m mut [f32x4],
+    /// Thermal energy, J/kg, and its rate, W/kg; z and w unused. Only where heat is kept account of.
+    pub heat: &'m mut [f32x4],
     /// Which particle stands in a slot.
     pub id: &'m mut [u32],
 }
@@ -44,6 +49,11 @@ pub struct Scratch<'m> {
     pub counter: &'m mut [u32],
     /// Places of the cells; empty with the index sort.
     pub grid_cells: &'m mut [u32],
+    /// Density and pressures before the step, in the slots after it; with variable supports the third is the support over
+    /// the scene's. Only where a step needs them.
+    pub previous: &'m mut [f32x4],
+    /// Acceleration but for pressure, m/s2; w unused. Only where pressure is iterated.
+    pub free: &'m mut [f32x4],
 }
 
 /// All the memory of a simulation. It may be larger than a scene needs.
@@ -55,42 +65,79 @@ pub struct Memory<'m> {
     pub slot: &'m mut [u32],
     /// What a step works in and forgets.
     pub scratch: Scratch<'m>,
+    /// Kernels as tables, where a scene reads them from there.
+    pub tables: &'m mut Tables,
+    /// Nodes of the host's field, m/s2, x fastest; w unused. Only where a scene has one.
+    pub field: &'m mut [f32x4],
 }
 
 /// How much memory a scene needs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Needs {
-    /// Particles.
+    /// Particles, those of walls too.
     pub particles: usize,
     /// Cells.
     pub cells: usize,
     /// Places of all cells; 0 with the index sort.
     pub places: usize,
+    /// Velocities to move with beside the particles' own: XSPH.
+    pub smoothing: bool,
+    /// Thermal energy.
+    pub heat: bool,
+    /// Densities and pressures of the step before.
+    pub previous: bool,
+    /// Accelerations but for pressure.
+    pub free: bool,
+    /// Kernels as tables.
+    pub tables: bool,
+    /// Nodes of the host's field.
+    pub nodes: usize,
 }
 
 impl Needs {
     /// Of a scene that [`Scene::check`] accepts.
     #[must_use]
     pub fn of(scene: &Scene) -> Needs {
+        Needs::by_plan(scene, &Plan::of(scene))
+    }
+
+    /// Of a scene by this plan of it.
+    #[must_use]
+    pub fn by_plan(scene: &Scene, plan: &Plan) -> Needs {
+        let m = &plan.model;
         let cells = scene.cells().iter().map(|&n| n as usize).product();
-        let places = match scene.grid.structure {
-            GridStructure::IndexSort => 0,
-            GridStructure::CellLists { places } => places as usize * cells,
-        };
-        Needs { particles: scene.particle_count(), cells, places }
+        Needs {
+            particles: scene.particle_count(),
+            cells,
+            places: m.cell_places as usize * cells,
+            smoothing: m.xsph == 1,
+            heat: m.thermal_energy == 1,
+            previous: m.needs_previous(),
+            free: m.corrects_pressure(),
+            tables: m.reads_tables(),
+            nodes: scene.field_counts()[3] as usize,
+        }
+    }
+
+    /// Entries of an array that exists only where it is needed.
+    fn if_needed(&self, needed: bool) -> usize {
+        if needed { self.particles } else { 0 }
     }
 
     /// The arrays, with their bytes.
     #[must_use]
-    pub fn arrays(&self) -> [(&'static str, usize); 12] {
-        let Needs { particles, cells, places } = *self;
-        let (vectors, words) = (2 * particles * size_of::<f32x4>(), particles * size_of::<u32>());
+    pub fn arrays(&self) -> [(&'static str, usize); 18] {
+        let Needs { particles, cells, places, .. } = *self;
+        let vector = size_of::<f32x4>();
+        let (vectors, words) = (2 * particles * vector, particles * size_of::<u32>());
         let of_cells = cells * size_of::<u32>();
         [
             ("position", vectors),
             ("velocity", vectors),
             ("acceleration", vectors),
             ("density_pressure", vectors),
+            ("smoothing", 2 * self.if_needed(self.smoothing) * vector),
+            ("heat", 2 * self.if_needed(self.heat) * vector),
             ("id", 2 * words),
             ("slot", words),
             ("cell, rank, order", 3 * words),
@@ -99,6 +146,10 @@ impl Needs {
             ("begin", of_cells),
             ("counter", of_cells),
             ("grid_cells", places * size_of::<u32>()),
+            ("previous", self.if_needed(self.previous) * vector),
+            ("free", self.if_needed(self.free) * vector),
+            ("tables", if self.tables { TABLE_WORDS * size_of::<f32>() } else { 0 }),
+            ("field", self.nodes * vector),
         ]
     }
 
@@ -138,6 +189,26 @@ pub struct CellPlaces<const CELLS: usize, const PLACES: usize> {
     places: [[u32; PLACES]; CELLS],
 }
 
+/// Memory for what only some choices need, as much of each as [`Needs`] says: `Extras::<N, 0, 0, 0>` for XSPH alone.
+///
+/// `SMOOTHING` entries for XSPH, `HEAT` for thermal energy, `PREVIOUS` for the continuity equation, variable supports and the
+/// pressure correction, `FREE` for the pressure correction: the number of particles, or 0.
+#[derive(Debug, bytemuck::Zeroable)]
+pub struct Extras<const SMOOTHING: usize, const HEAT: usize, const PREVIOUS: usize, const FREE: usize> {
+    smoothing: [[f32x4; SMOOTHING]; 2],
+    heat: [[f32x4; HEAT]; 2],
+    previous: [f32x4; PREVIOUS],
+    free: [f32x4; FREE],
+}
+
+/// Memory for kernels as tables.
+#[derive(Debug, bytemuck::Zeroable)]
+pub struct TableStorage([f32; TABLE_WORDS]);
+
+/// Memory for a field of the host's with so many nodes.
+#[derive(Debug, bytemuck::Zeroable)]
+pub struct FieldStorage<const NODES: usize>([f32x4; NODES]);
+
 impl<const N: usize, const CELLS: usize> Storage<N, CELLS> {
     /// All zero.
     #[must_use]
@@ -158,13 +229,10 @@ impl<const N: usize, const CELLS: usize> Storage<N, CELLS> {
 
     /// Lends all of it, for a scene with the index sort.
     pub fn lend(&mut self) -> Memory<'_> {
-        let [[p0, v0, a0, d0], [p1, v1, a1, d1]] = &mut self.vectors;
-        let [id0, id1] = &mut self.ids;
+        let [first, second] = &mut self.vectors;
+        let [first_id, second_id] = &mut self.ids;
         Memory {
-            states: [
-                State { position: p0, velocity: v0, acceleration: a0, density_pressure: d0, id: id0 },
-                State { position: p1, velocity: v1, acceleration: a1, density_pressure: d1, id: id1 },
-            ],
+            states: [State::bare(first, first_id), State::bare(second, second_id)],
             slot: &mut self.slot,
             scratch: Scratch {
                 cell: &mut self.cell,
@@ -175,7 +243,11 @@ impl<const N: usize, const CELLS: usize> Storage<N, CELLS> {
                 begin: &mut self.begin,
                 counter: &mut self.counter,
                 grid_cells: &mut [],
+                previous: &mut [],
+                free: &mut [],
             },
+            tables: &mut [],
+            field: &mut [],
         }
     }
 
@@ -187,21 +259,81 @@ impl<const N: usize, const CELLS: usize> Storage<N, CELLS> {
     }
 }
 
-impl<const N: usize, const CELLS: usize> Default for Storage<N, CELLS> {
-    fn default() -> Self {
-        Self::new()
+impl<'m> State<'m> {
+    /// Of the four arrays that every scene has.
+    fn bare<const N: usize>(vectors: &'m mut [[f32x4; N]; 4], id: &'m mut [u32]) -> State<'m> {
+        let [position, velocity, acceleration, density_pressure] = vectors;
+        State { position, velocity, acceleration, density_pressure, smoothing: &mut [], heat: &mut [], id }
     }
 }
 
-impl<const CELLS: usize, const PLACES: usize> CellPlaces<CELLS, PLACES> {
-    /// All zero.
+impl<'m> Memory<'m> {
+    /// And what only some choices need.
+    ///
+    /// ```
+    /// use millpond_core::{Extras, Storage};
+    /// let mut extras = Box::new(Extras::<4096, 0, 0, 0>::new());
+    /// let mut storage = Box::new(Storage::<4096, 32768>::new());
+    /// let memory = storage.lend().with_extras(&mut extras);
+    /// ```
     #[must_use]
-    pub const fn new() -> Self {
-        CellPlaces { places: [[0; PLACES]; CELLS] }
+    pub fn with_extras<const S: usize, const H: usize, const P: usize, const F: usize>(
+        mut self,
+        extras: &'m mut Extras<S, H, P, F>,
+    ) -> Memory<'m> {
+        let [smoothing, other_smoothing] = &mut extras.smoothing;
+        let [heat, other_heat] = &mut extras.heat;
+        let [a, b] = &mut self.states;
+        (a.smoothing, b.smoothing) = (smoothing, other_smoothing);
+        (a.heat, b.heat) = (heat, other_heat);
+        (self.scratch.previous, self.scratch.free) = (&mut extras.previous, &mut extras.free);
+        self
+    }
+
+    /// And kernels as tables.
+    #[must_use]
+    pub fn with_tables(mut self, tables: &'m mut TableStorage) -> Memory<'m> {
+        self.tables = &mut tables.0;
+        self
+    }
+
+    /// And a field of the host's.
+    #[must_use]
+    pub fn with_field<const NODES: usize>(mut self, field: &'m mut FieldStorage<NODES>) -> Memory<'m> {
+        self.field = &mut field.0;
+        self
     }
 }
 
-impl<const CELLS: usize, const PLACES: usize> Default for CellPlaces<CELLS, PLACES> {
+macro_rules! all_zero {
+    ($name:ident<$($n:ident),*> = $value:expr) => {
+        impl<$(const $n: usize),*> $name<$($n),*> {
+            /// All zero.
+            #[must_use]
+            pub const fn new() -> Self {
+                $value
+            }
+        }
+
+        impl<$(const $n: usize),*> Default for $name<$($n),*> {
+            fn default() -> Self {
+                Self::new()
+            }
+        }
+    };
+}
+
+all_zero!(CellPlaces<CELLS, PLACES> = CellPlaces { places: [[0; PLACES]; CELLS] });
+all_zero!(Extras<S, H, P, F> = Extras {
+    smoothing: [[[0.0; 4]; S]; 2],
+    heat: [[[0.0; 4]; H]; 2],
+    previous: [[0.0; 4]; P],
+    free: [[0.0; 4]; F],
+});
+all_zero!(TableStorage<> = TableStorage([0.0; TABLE_WORDS]));
+all_zero!(FieldStorage<NODES> = FieldStorage([[0.0; 4]; NODES]));
+
+impl<const N: usize, const CELLS: usize> Default for Storage<N, CELLS> {
     fn default() -> Self {
         Self::new()
     }
@@ -209,15 +341,16 @@ impl<const CELLS: usize, const PLACES: usize> Default for CellPlaces<CELLS, PLAC
 
 impl<'m> Memory<'m> {
     /// Exactly what `needs` says, or what is missing. Neighbour lists may have any length, 0 included.
-    pub(crate) fn cut(self, needs: Needs) -> Result<Memory<'m>, SceneError> {
-        let Needs { particles, cells, places } = needs;
+    pub(crate) fn cut(self, needs: &Needs) -> Result<Memory<'m>, SceneError> {
+        let Needs { particles, cells, places, .. } = *needs;
         let [a, b] = self.states;
         let s = self.scratch;
         // entries are named by u32
         let entries = s.list.len().min(u32::MAX as usize);
         let list = &mut s.list[..entries];
+        let tables = if needs.tables { TABLE_WORDS } else { 0 };
         Ok(Memory {
-            states: [a.cut(particles)?, b.cut(particles)?],
+            states: [a.cut(needs)?, b.cut(needs)?],
             slot: cut("particles", self.slot, particles)?,
             scratch: Scratch {
                 cell: cut("particles", s.cell, particles)?,
@@ -228,18 +361,25 @@ impl<'m> Memory<'m> {
                 begin: cut("cells", s.begin, cells)?,
                 counter: cut("cells", s.counter, cells)?,
                 grid_cells: cut("places of cells", s.grid_cells, places)?,
+                previous: cut("extras for previous densities", s.previous, needs.if_needed(needs.previous))?,
+                free: cut("extras for free accelerations", s.free, needs.if_needed(needs.free))?,
             },
+            tables: cut("words of kernel tables", self.tables, tables)?,
+            field: cut("nodes of the field", self.field, needs.nodes)?,
         })
     }
 }
 
 impl<'m> State<'m> {
-    fn cut(self, particles: usize) -> Result<State<'m>, SceneError> {
+    fn cut(self, needs: &Needs) -> Result<State<'m>, SceneError> {
+        let particles = needs.particles;
         Ok(State {
             position: cut("particles", self.position, particles)?,
             velocity: cut("particles", self.velocity, particles)?,
             acceleration: cut("particles", self.acceleration, particles)?,
             density_pressure: cut("particles", self.density_pressure, particles)?,
+            smoothing: cut("extras for XSPH", self.smoothing, needs.if_needed(needs.smoothing))?,
+            heat: cut("extras for thermal energy", self.heat, needs.if_needed(needs.heat))?,
             id: cut("particles", self.id, particles)?,
         })
     }

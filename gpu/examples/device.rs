@@ -1,7 +1,7 @@
 //! The same fluid on a device and on the CPU: the same bits.
 //!
 //! `cargo run --release -p millpond-gpu --example device`
-use millpond_core::scene::{Block, Dimension, Fluid, Grid, ModelChoice, Scene};
+use millpond_core::scene::{Block, Dimension, Fluid, Scene};
 use millpond_core::{Serial, Solver, Storage};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 
@@ -13,18 +13,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             return Ok(());
         }
     };
-    let scene = Scene {
-        dimension: Dimension::Three,
-        particle_spacing: 0.05,
-        average_neighbours: 27.0,
-        time_step: 0.001,
-        gravity: [0.0; 3],
-        fluid: Fluid { rest_density: 1000.0, speed_of_sound: 10.0, dynamic_viscosity: 10.0, near_stiffness: None },
-        blocks: [Block { corner: [0.0; 3], size: [0.8; 3], velocity: [0.0; 3], jitter: 0.1 }].into_iter().collect(),
-        container: None,
-        model: ModelChoice::default(),
-        grid: Grid::default(),
-    };
+    let fluid = Fluid { dynamic_viscosity: 10.0, ..Fluid::default() };
+    let block = Block { size: [0.8; 3], jitter: 0.1, ..Block::default() };
+    let scene = Scene { average_neighbours: 27.0, ..Scene::of(Dimension::Three, 0.05, 0.001, fluid, block) };
     let mut storage = Box::new(Storage::<4096, 32768>::new());
     let mut on_cpu = Solver::new(&scene, storage.lend())?;
     let mut on_gpu = GpuSolver::new(&gpu, &on_cpu)?;

@@ -2,43 +2,81 @@
 use millpond_core::Pass;
 use millpond_core::layout::Status;
 
-/// An array on the device.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Array {
+/// Declares the arrays once: name, meaning, name and type in WGSL.
+macro_rules! arrays {
+    ($($(#[$doc:meta])* $array:ident = $name:literal: $type:literal,)*) => {
+        /// An array on the device.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Array { $($(#[$doc])* $array,)* }
+
+        impl Array {
+            /// Its name in WGSL.
+            #[must_use]
+            pub fn name(self) -> &'static str {
+                match self { $(Array::$array => $name,)* }
+            }
+
+            /// Its type in WGSL.
+            fn type_name(self) -> &'static str {
+                match self { $(Array::$array => $type,)* }
+            }
+        }
+    };
+}
+
+arrays! {
     /// The status, and after it the counters of the cells.
-    Head,
+    Head = "head": "Head",
     /// Old state.
-    OldPosition,
+    OldPosition = "old_position": "array<f32x4>",
     /// Old state.
-    OldVelocity,
+    OldVelocity = "old_velocity": "array<f32x4>",
     /// Old state.
-    OldAcceleration,
+    OldAcceleration = "old_acceleration": "array<f32x4>",
     /// Old state.
-    OldId,
+    OldDensityPressure = "old_density_pressure": "array<f32x4>",
+    /// Old state, with XSPH.
+    OldSmoothing = "old_smoothing": "array<f32x4>",
+    /// Old state, with thermal energy.
+    OldHeat = "old_heat": "array<f32x4>",
+    /// Old state.
+    OldId = "old_id": "array<u32>",
     /// New state.
-    NewPosition,
+    NewPosition = "new_position": "array<f32x4>",
     /// New state.
-    NewVelocity,
+    NewVelocity = "new_velocity": "array<f32x4>",
     /// New state; before the force pass, where the moved velocities wait.
-    NewAcceleration,
+    NewAcceleration = "new_acceleration": "array<f32x4>",
     /// New state; before the density pass, where the moved positions wait.
-    NewDensityPressure,
+    NewDensityPressure = "new_density_pressure": "array<f32x4>",
+    /// New state, with XSPH.
+    NewSmoothing = "new_smoothing": "array<f32x4>",
+    /// New state, with thermal energy.
+    NewHeat = "new_heat": "array<f32x4>",
     /// New state.
-    NewId,
+    NewId = "new_id": "array<u32>",
+    /// Densities and pressures before the step, where it needs them.
+    Previous = "previous": "array<f32x4>",
+    /// Accelerations without pressure, where that is corrected.
+    Free = "free": "array<f32x4>",
+    /// Where the force pass writes: the new accelerations, or those without pressure.
+    ForceOut = "force_out": "array<f32x4>",
+    /// Nodes of the host's field.
+    FieldNodes = "field_nodes": "array<f32x4>",
     /// Cell of each particle.
-    Cell,
+    Cell = "cell": "array<u32>",
     /// Rank of each particle in its cell.
-    Rank,
+    Rank = "rank": "array<u32>",
     /// First slot of each cell.
-    Begin,
+    Begin = "begin": "array<u32>",
     /// Old slot of each new one.
-    Order,
+    Order = "order": "array<u32>",
     /// Places of the cells.
-    GridCells,
+    GridCells = "grid_cells": "array<u32>",
     /// What a gather reads.
-    GatherFrom,
+    GatherFrom = "gather_from": "array<f32x4>",
     /// What it writes.
-    GatherTo,
+    GatherTo = "gather_to": "array<f32x4>",
 }
 
 /// What a pass does to an array.
@@ -52,36 +90,88 @@ pub enum Access {
     Atomic,
 }
 
-/// The arrays of a pass, in the order of their bindings (binding 0 is the parameters). At most 8, wgpu's default limit.
+/// Uniforms before the arrays: the parameters, the kernel tables.
+pub const UNIFORMS: u32 = 2;
+
+/// The arrays of a pass, in the order of their bindings (after the [`UNIFORMS`]). At most 8, wgpu's default limit.
 #[must_use]
 pub fn arrays(pass: Pass) -> &'static [(Array, Access)] {
     use Access::{Atomic, Read, Write};
     use Array::*;
     match pass {
         Pass::IntegrateBefore => &[
-            (Head, Atomic),
+            (Head, Read),
             (OldPosition, Read),
             (OldVelocity, Read),
             (OldAcceleration, Read),
-            (OldId, Read),
+            (OldSmoothing, Read),
             (NewDensityPressure, Write),
             (NewAcceleration, Write),
-            (Cell, Write),
         ],
-        Pass::Count => &[(Head, Atomic), (Cell, Read), (Rank, Write)],
+        Pass::Count => &[(Head, Atomic), (NewDensityPressure, Read), (OldId, Read), (Cell, Write), (Rank, Write)],
         Pass::CellLists => &[(Head, Atomic), (Cell, Read), (Rank, Read), (GridCells, Write)],
         Pass::Scan => &[(Head, Read), (Begin, Write)],
         Pass::Place => &[(Head, Read), (Cell, Read), (Rank, Read), (Begin, Read), (Order, Write)],
         Pass::Order => &[(Head, Read), (Begin, Read), (OldId, Read), (GridCells, Read), (Order, Write), (NewId, Write)],
         Pass::Gather => &[(Head, Read), (Order, Read), (GatherFrom, Read), (GatherTo, Write)],
-        Pass::Density => &[(Head, Read), (Begin, Read), (NewPosition, Read), (NewDensityPressure, Write)],
+        Pass::Support => &[(Head, Read), (Previous, Write)],
+        Pass::Density => &[
+            (Head, Read),
+            (Begin, Read),
+            (NewPosition, Read),
+            (NewVelocity, Read),
+            (Previous, Read),
+            (NewDensityPressure, Write),
+        ],
         Pass::Force => &[
             (Head, Read),
             (Begin, Read),
             (NewPosition, Read),
             (NewVelocity, Read),
             (NewDensityPressure, Read),
+            (Previous, Read),
+            (FieldNodes, Read),
+            (ForceOut, Write),
+        ],
+        Pass::PressureForce => &[
+            (Head, Read),
+            (Begin, Read),
+            (NewPosition, Read),
+            (NewVelocity, Read),
+            (NewDensityPressure, Read),
+            (Previous, Read),
+            (Free, Read),
             (NewAcceleration, Write),
+        ],
+        Pass::PressureCorrect => &[
+            (Head, Atomic),
+            (Begin, Read),
+            (NewPosition, Read),
+            (NewVelocity, Read),
+            (NewAcceleration, Read),
+            (Previous, Read),
+            (NewDensityPressure, Write),
+        ],
+        Pass::PressureSettle | Pass::Commit => &[(Head, Atomic)],
+        Pass::Heat => &[
+            (Head, Read),
+            (Begin, Read),
+            (NewPosition, Read),
+            (NewVelocity, Read),
+            (NewDensityPressure, Read),
+            (NewAcceleration, Read),
+            (Previous, Read),
+            (NewHeat, Write),
+        ],
+        Pass::Smooth => &[
+            (Head, Read),
+            (Begin, Read),
+            (NewPosition, Read),
+            (NewVelocity, Read),
+            (NewDensityPressure, Read),
+            (NewAcceleration, Read),
+            (Previous, Read),
+            (NewSmoothing, Write),
         ],
         Pass::IntegrateAfter => &[
             (Head, Atomic),
@@ -89,9 +179,9 @@ pub fn arrays(pass: Pass) -> &'static [(Array, Access)] {
             (NewVelocity, Write),
             (NewAcceleration, Read),
             (NewDensityPressure, Read),
+            (NewHeat, Read),
             (NewId, Read),
         ],
-        Pass::Commit => &[(Head, Atomic)],
     }
 }
 
@@ -111,7 +201,7 @@ pub enum Threads {
 pub fn threads(pass: Pass) -> Threads {
     match pass {
         Pass::Order => Threads::Cells,
-        Pass::Scan | Pass::Commit => Threads::OneGroup,
+        Pass::Scan | Pass::PressureSettle | Pass::Commit => Threads::OneGroup,
         _ => Threads::Particles,
     }
 }
@@ -121,47 +211,6 @@ pub fn threads(pass: Pass) -> Threads {
 pub fn workgroup(pass: Pass) -> u32 {
     // the scan's only group is wide: each of its threads walks its share of all cells
     if pass == Pass::Scan { 256 } else { millpond_core::layout::WORKGROUP }
-}
-
-impl Array {
-    /// Its name in WGSL.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Array::Head => "head",
-            Array::OldPosition => "old_position",
-            Array::OldVelocity => "old_velocity",
-            Array::OldAcceleration => "old_acceleration",
-            Array::OldId => "old_id",
-            Array::NewPosition => "new_position",
-            Array::NewVelocity => "new_velocity",
-            Array::NewAcceleration => "new_acceleration",
-            Array::NewDensityPressure => "new_density_pressure",
-            Array::NewId => "new_id",
-            Array::Cell => "cell",
-            Array::Rank => "rank",
-            Array::Begin => "begin",
-            Array::Order => "order",
-            Array::GridCells => "grid_cells",
-            Array::GatherFrom => "gather_from",
-            Array::GatherTo => "gather_to",
-        }
-    }
-
-    /// Its type in WGSL.
-    fn type_name(self) -> &'static str {
-        match self {
-            Array::Head => "Head",
-            Array::OldId
-            | Array::NewId
-            | Array::Cell
-            | Array::Rank
-            | Array::Begin
-            | Array::Order
-            | Array::GridCells => "array<u32>",
-            _ => "array<f32x4>",
-        }
-    }
 }
 
 /// WGSL declarations of the arrays of a pass.
@@ -177,7 +226,7 @@ pub fn declarations(pass: Pass) -> String {
     for (i, (array, access)) in arrays(pass).iter().enumerate() {
         let mode = if *access == Access::Read { "read" } else { "read_write" };
         let (name, kind) = (array.name(), array.type_name());
-        out += &format!("@group(0) @binding({}) var<storage, {mode}> {name}: {kind};\n", i + 1);
+        out += &format!("@group(0) @binding({}) var<storage, {mode}> {name}: {kind};\n", i as u32 + UNIFORMS);
     }
     out
 }

@@ -4,7 +4,7 @@ use crate::device::Gpu;
 use crate::error::GpuError;
 use bytemuck::{Pod, Zeroable, cast_slice};
 use millpond_core::Solver;
-use millpond_core::layout::{Parameters, Status, f32x4};
+use millpond_core::layout::{Parameters, Status, TABLE_WORDS, f32x4};
 
 /// One of the two states.
 #[derive(Debug)]
@@ -13,6 +13,8 @@ pub(crate) struct StateBuffers {
     pub velocity: wgpu::Buffer,
     pub acceleration: wgpu::Buffer,
     pub density_pressure: wgpu::Buffer,
+    pub smoothing: wgpu::Buffer,
+    pub heat: wgpu::Buffer,
     pub id: wgpu::Buffer,
 }
 
@@ -20,6 +22,8 @@ pub(crate) struct StateBuffers {
 #[derive(Debug)]
 pub(crate) struct Buffers {
     pub parameters: wgpu::Buffer,
+    pub tables: wgpu::Buffer,
+    pub field: wgpu::Buffer,
     pub head: wgpu::Buffer,
     pub states: [StateBuffers; 2],
     cell: wgpu::Buffer,
@@ -27,6 +31,9 @@ pub(crate) struct Buffers {
     begin: wgpu::Buffer,
     order: wgpu::Buffer,
     grid_cells: wgpu::Buffer,
+    previous: wgpu::Buffer,
+    free: wgpu::Buffer,
+    corrects_pressure: bool,
 }
 
 /// Makes buffers; an empty array gets one entry, since a binding cannot be empty.
@@ -73,10 +80,16 @@ impl Buffers {
         let places = cells * solver.plan().model.cell_places as usize;
         let words = |count: usize| count * size_of::<u32>();
         let vectors = n * size_of::<f32x4>();
+        let m = &solver.plan().model;
+        let if_needed = |needed: bool| if needed { vectors } else { 0 };
         let head = storage.room("head", size_of::<Status>() + words(cells))?;
         gpu.queue.write_buffer(&head, 0, bytemuck::bytes_of(&Status::fine(solver.steps() as u32)));
+        let mut tables = [0.0; TABLE_WORDS];
+        tables[..solver.tables().len()].copy_from_slice(solver.tables());
         Ok(Buffers {
             parameters: uniform.filled("parameters", &[*parameters])?,
+            tables: uniform.filled("tables", &tables)?,
+            field: storage.filled("field", solver.field())?,
             head,
             states: [
                 StateBuffers {
@@ -84,6 +97,8 @@ impl Buffers {
                     velocity: storage.filled("velocity", state.velocity)?,
                     acceleration: storage.filled("acceleration", state.acceleration)?,
                     density_pressure: storage.filled("density_pressure", state.density_pressure)?,
+                    smoothing: storage.filled("smoothing", state.smoothing)?,
+                    heat: storage.filled("heat", state.heat)?,
                     id: storage.filled("id", state.id)?,
                 },
                 StateBuffers {
@@ -91,9 +106,14 @@ impl Buffers {
                     velocity: storage.room("velocity", vectors)?,
                     acceleration: storage.room("acceleration", vectors)?,
                     density_pressure: storage.room("density_pressure", vectors)?,
+                    smoothing: storage.room("smoothing", size_of_val(state.smoothing))?,
+                    heat: storage.room("heat", size_of_val(state.heat))?,
                     id: storage.room("id", words(n))?,
                 },
             ],
+            previous: storage.room("previous", if_needed(m.needs_previous()))?,
+            free: storage.room("free", if_needed(m.corrects_pressure()))?,
+            corrects_pressure: m.corrects_pressure(),
             cell: storage.room("cell", words(n))?,
             rank: storage.room("rank", words(n))?,
             begin: storage.room("begin", words(cells))?,
@@ -110,12 +130,22 @@ impl Buffers {
             Array::OldPosition => &from.position,
             Array::OldVelocity => &from.velocity,
             Array::OldAcceleration => &from.acceleration,
+            Array::OldDensityPressure => &from.density_pressure,
+            Array::OldSmoothing => &from.smoothing,
+            Array::OldHeat => &from.heat,
             Array::OldId => &from.id,
             Array::NewPosition => &to.position,
             Array::NewVelocity => &to.velocity,
             Array::NewAcceleration => &to.acceleration,
             Array::NewDensityPressure => &to.density_pressure,
+            Array::NewSmoothing => &to.smoothing,
+            Array::NewHeat => &to.heat,
             Array::NewId => &to.id,
+            Array::Previous => &self.previous,
+            Array::Free => &self.free,
+            Array::ForceOut if self.corrects_pressure => &self.free,
+            Array::ForceOut => &to.acceleration,
+            Array::FieldNodes => &self.field,
             Array::Cell => &self.cell,
             Array::Rank => &self.rank,
             Array::Begin => &self.begin,

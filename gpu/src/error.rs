@@ -1,5 +1,5 @@
 //! Every way in which the GPU backend can refuse.
-use millpond_core::StepError;
+use millpond_core::{SceneError, StepError};
 
 /// Why there is no device, no pipeline or no step.
 #[derive(Debug, thiserror::Error)]
@@ -58,4 +58,7 @@ pub enum GpuError {
     /// A step could not be made; the fluid is as it was before it.
     #[error(transparent)]
     Step(#[from] StepError),
+    /// What a host gave does not fit the scene.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
 }

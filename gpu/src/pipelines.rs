@@ -1,5 +1,5 @@
 //! A step as commands: for each pass of the plan a pipeline, its bind groups for both directions, its work groups.
-use crate::bindings::{Access, Array, Threads, arrays, threads, workgroup};
+use crate::bindings::{Access, Array, Threads, UNIFORMS, arrays, threads, workgroup};
 use crate::buffers::Buffers;
 use crate::device::Gpu;
 use crate::error::GpuError;
@@ -11,7 +11,7 @@ use millpond_core::{Pass, Plan};
 const MOST_GROUPS: u32 = 65_535;
 
 /// What one pass does each step.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Command {
     pass: Pass,
     pipeline: wgpu::ComputePipeline,
@@ -20,22 +20,49 @@ pub(crate) struct Command {
     size: [u32; 2],
 }
 
-/// What the gather pass moves: from where the moved particles wait to where they belong.
-const GATHERED: [[Array; 2]; 2] =
-    [[Array::NewDensityPressure, Array::NewPosition], [Array::NewAcceleration, Array::NewVelocity]];
+/// What the gather pass moves: from where the moved particles wait to where they belong, and what else a plan needs of the
+/// step before.
+fn gathered(plan: &Plan) -> Vec<[Array; 2]> {
+    let mut moved =
+        vec![[Array::NewDensityPressure, Array::NewPosition], [Array::NewAcceleration, Array::NewVelocity]];
+    if plan.model.needs_previous() {
+        moved.push([Array::OldDensityPressure, Array::Previous]);
+    }
+    if plan.model.thermal_energy == 1 {
+        moved.push([Array::OldHeat, Array::NewHeat]);
+    }
+    moved
+}
 
 /// The commands of a step.
 pub(crate) fn commands(gpu: &Gpu, plan: &Plan, buffers: &Buffers, counts: [u32; 2]) -> Result<Vec<Command>, GpuError> {
     let mut commands = Vec::new();
     for pass in plan.passes() {
         let (layout, pipeline) = pipeline(gpu, pass, plan)?;
-        let moved = if pass == Pass::Gather { &GATHERED[..] } else { &GATHERED[..1] };
-        for &gather in moved {
+        let moved = gathered(plan);
+        for &gather in if pass == Pass::Gather { &moved[..] } else { &moved[..1] } {
             let groups = [0, 1].map(|old| bind(gpu, pass, &layout, buffers, old, gather));
             commands.push(Command { pass, pipeline: pipeline.clone(), groups, size: size(pass, counts) });
         }
     }
-    Ok(commands)
+    Ok(iterated(&commands, plan.iterations()))
+}
+
+/// The same commands with those of an iteration of pressure repeated, its force once more at the end. All are recorded; on
+/// the device those after the last needed one do nothing.
+fn iterated(commands: &[Command], iterations: u32) -> Vec<Command> {
+    let is_iterated =
+        |c: &&Command| matches!(c.pass, Pass::PressureForce | Pass::PressureCorrect | Pass::PressureSettle);
+    let first = commands.iter().position(|c| is_iterated(&c)).unwrap_or(commands.len());
+    let (before, rest) = commands.split_at(first);
+    let (iteration, after) = rest.split_at(rest.iter().take_while(is_iterated).count());
+    let mut all = before.to_vec();
+    for _ in 0..iterations {
+        all.extend_from_slice(iteration);
+    }
+    all.extend(iteration.first().cloned());
+    all.extend_from_slice(after);
+    all
 }
 
 /// Records one step from state `old`.
@@ -86,7 +113,7 @@ pub(crate) fn dispatch_once(
 fn pipeline(gpu: &Gpu, pass: Pass, plan: &Plan) -> Result<(wgpu::BindGroupLayout, wgpu::ComputePipeline), GpuError> {
     let storage =
         |(_, access): &(Array, Access)| wgpu::BufferBindingType::Storage { read_only: *access == Access::Read };
-    let mut kinds = vec![wgpu::BufferBindingType::Uniform];
+    let mut kinds = vec![wgpu::BufferBindingType::Uniform; UNIFORMS as usize];
     kinds.extend(arrays(pass).iter().map(storage));
     make_pipeline(gpu, pass.name(), &program(pass, &plan.model, gpu.words), workgroup(pass), &kinds)
 }
@@ -134,7 +161,7 @@ fn bind(
     old: usize,
     gather: [Array; 2],
 ) -> wgpu::BindGroup {
-    let mut bound = vec![&buffers.parameters];
+    let mut bound = vec![&buffers.parameters, &buffers.tables];
     bound.extend(arrays(pass).iter().map(|(array, _)| buffers.array(*array, old, gather)));
     bind_group(gpu, pass.name(), layout, &bound)
 }

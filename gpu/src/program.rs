@@ -2,8 +2,8 @@
 use crate::bindings::{declarations, workgroup};
 use crate::text::wgsl_of;
 use millpond_core::Pass;
-use millpond_core::layout::{Model, PLANES, Parameters};
-use millpond_core::terms::TEXTS;
+use millpond_core::layout::{Model, PLANES, Parameters, SPECIES, TABLE_ENTRIES, TABLE_WORDS};
+use millpond_core::terms::texts;
 
 /// Where division and root come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,10 +38,16 @@ fn loop_text(pass: Pass) -> &'static str {
         Pass::Place => include_str!("shaders/p05_place.wgsl"),
         Pass::Order => include_str!("shaders/p06_order.wgsl"),
         Pass::Gather => include_str!("shaders/p07_gather.wgsl"),
-        Pass::Density => include_str!("shaders/p08_density.wgsl"),
-        Pass::Force => include_str!("shaders/p09_force.wgsl"),
-        Pass::IntegrateAfter => include_str!("shaders/p10_integrate_after.wgsl"),
-        Pass::Commit => include_str!("shaders/p11_commit.wgsl"),
+        Pass::Support => include_str!("shaders/p08_support.wgsl"),
+        Pass::Density => include_str!("shaders/p09_density.wgsl"),
+        Pass::Force => include_str!("shaders/p10_force.wgsl"),
+        Pass::PressureForce => include_str!("shaders/p11_pressure_force.wgsl"),
+        Pass::PressureCorrect => include_str!("shaders/p12_pressure_correct.wgsl"),
+        Pass::PressureSettle => include_str!("shaders/p13_pressure_settle.wgsl"),
+        Pass::Heat => include_str!("shaders/p14_heat.wgsl"),
+        Pass::Smooth => include_str!("shaders/p15_smooth.wgsl"),
+        Pass::IntegrateAfter => include_str!("shaders/p16_integrate_after.wgsl"),
+        Pass::Commit => include_str!("shaders/p17_commit.wgsl"),
     }
 }
 
@@ -49,14 +55,17 @@ fn loop_text(pass: Pass) -> &'static str {
 #[must_use]
 pub fn library(model: &Model, words: Words) -> String {
     let mut out = words.prelude();
-    out += &format!("alias Planes = array<f32x4, {PLANES}>;\n");
+    out += &format!("alias Planes = array<f32x4, {PLANES}>;\nalias Kinds = array<f32x4, {SPECIES}>;\n");
+    out += &format!("const SPECIES: u32 = {SPECIES}u;\nconst TABLE_ENTRIES: u32 = {TABLE_ENTRIES}u;\n");
     out += Parameters::WGSL;
     out += "@group(0) @binding(0) var<uniform> p: Parameters;\n";
+    out += &format!("@group(0) @binding(1) var<uniform> tables: array<f32x4, {}>;\n", TABLE_WORDS / 4);
+    out += include_str!("shaders/constants.wgsl");
     // the choices are constants, so that what is not chosen is compiled away
     out += Model::WGSL;
     let choices: Vec<String> = bytemuck::cast_slice::<_, u32>(&[*model]).iter().map(|c| format!("{c}u")).collect();
     out += &format!("const m = Model({});\n", choices.join(", "));
-    for (_, text) in TEXTS {
+    for (_, text) in texts() {
         out += &wgsl_of(text);
     }
     out
@@ -67,6 +76,9 @@ pub fn library(model: &Model, words: Words) -> String {
 pub fn program(pass: Pass, model: &Model, words: Words) -> String {
     let mut out = library(model, words);
     out += include_str!("shaders/grid.wgsl");
+    if matches!(pass, Pass::Force | Pass::PressureForce | Pass::Heat | Pass::Smooth) {
+        out += include_str!("shaders/local.wgsl");
+    }
     out += &format!("const WORKGROUP: u32 = {}u;\n", workgroup(pass));
     out += &declarations(pass);
     out += loop_text(pass);

@@ -5,7 +5,7 @@ use crate::error::GpuError;
 use crate::pipelines::{Command, commands, record};
 use millpond_core::hash::state_hash;
 use millpond_core::layout::{Status, f32x4};
-use millpond_core::{Solver, verdict};
+use millpond_core::{CorrectionReport, SceneError, Solver, verdict};
 
 /// Steps that are recorded before the status is read: a failed step is found at most this late, and costs nothing more.
 pub const STEPS_PER_STATUS: u32 = 64;
@@ -17,6 +17,8 @@ pub struct GpuSolver {
     buffers: Buffers,
     commands: Vec<Command>,
     particles: usize,
+    nodes: usize,
+    keeps_heat: bool,
     cell_places: u32,
     first_step: u64,
     /// Steps that count.
@@ -34,6 +36,8 @@ pub struct Readback {
     pub acceleration: Vec<f32x4>,
     /// [`QUANTITIES`](millpond_core::layout::QUANTITIES) of each particle.
     pub density_pressure: Vec<f32x4>,
+    /// Thermal energy, J/kg, and its rate, W/kg; empty where a scene keeps no account of it.
+    pub heat: Vec<f32x4>,
     /// Which particle stands in a slot.
     pub id: Vec<u32>,
 }
@@ -77,6 +81,8 @@ impl GpuSolver {
             buffers,
             commands,
             particles: parameters.particle_count as usize,
+            nodes: solver.field().len(),
+            keeps_heat: plan.model.thermal_energy == 1,
             cell_places: plan.model.cell_places,
             first_step: solver.steps(),
             steps: solver.steps(),
@@ -127,6 +133,35 @@ impl GpuSolver {
         &self.buffers.states[self.current()].velocity
     }
 
+    /// The host's field from now on, as [`Solver::set_field`] takes it.
+    ///
+    /// # Errors
+    /// Fewer or more nodes than the scene says, or a value that is not finite; the field then stays as it was.
+    pub fn set_field(&mut self, nodes: &[f32x4]) -> Result<(), GpuError> {
+        let (needed, capacity) = (nodes.len(), self.nodes);
+        if needed != capacity {
+            return Err(SceneError::CapacityExceeded { what: "nodes of the field", needed, capacity }.into());
+        }
+        if let Some(&value) = nodes.as_flattened().iter().find(|x| !x.is_finite()) {
+            return Err(SceneError::NotFinite { field: "field", value }.into());
+        }
+        self.gpu.queue.write_buffer(&self.buffers.field, 0, bytemuck::cast_slice(nodes));
+        Ok(())
+    }
+
+    /// What the pressure correction came to; all zero with an equation of state.
+    ///
+    /// # Errors
+    /// The device failed.
+    pub fn correction(&self) -> Result<CorrectionReport, GpuError> {
+        let status = self.status()?;
+        Ok(CorrectionReport {
+            iterations: status.last_iterations,
+            total_iterations: u64::from(status.total_iterations),
+            residual: f32::from_bits(status.last_residual),
+        })
+    }
+
     /// What the device has to say for itself.
     ///
     /// # Errors
@@ -148,6 +183,7 @@ impl GpuSolver {
             velocity: read(gpu, &state.velocity, n)?,
             acceleration: read(gpu, &state.acceleration, n)?,
             density_pressure: read(gpu, &state.density_pressure, n)?,
+            heat: if self.keeps_heat { read(gpu, &state.heat, n)? } else { Vec::new() },
             id: read(gpu, &state.id, n)?,
         })
     }

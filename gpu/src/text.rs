@@ -2,31 +2,28 @@
 
 /// The WGSL of a term's text.
 ///
-/// Drops comments, `use` and attribute lines, `pub `, `<R: Real>` and the `<R>` of structs, and the arguments `m` and `p`,
-/// which are global in WGSL.
+/// Drops comments, `use`, `mod` and attribute lines, `pub `, `<R: Real>` and the `<R>` of structs, and the arguments `m`, `p` and
+/// `t`, which are global in WGSL.
 #[must_use]
 pub fn wgsl_of(rust: &str) -> String {
     let mut out = String::new();
     for line in rust.lines() {
         let code = line.split("//").next().unwrap_or("").trim_end();
         let start = code.trim_start();
-        if start.is_empty() || start.starts_with("use ") || start.starts_with("#[") {
+        let only_rust = ["use ", "#[", "pub mod ", "texts!("];
+        if start.is_empty() || only_rust.iter().any(|word| start.starts_with(word)) {
             continue;
         }
-        if matches!(start, "m: &Model," | "p: &Parameters," | "m," | "p,") {
+        if matches!(start, "m: &Model," | "p: &Parameters," | "t: &Tables," | "m," | "p," | "t,") {
             continue;
         }
         let mut code = code.replacen("pub ", "", 1);
-        for (rust, wgsl) in [
-            ("<R: Real>", ""),
-            ("m: &Model, ", ""),
-            ("p: &Parameters, ", ""),
-            ("(m, p, ", "("),
-            ("(m, ", "("),
-            ("(p, ", "("),
-            ("Local<R>", "Local"),
-        ] {
+        for (rust, wgsl) in [("<R: Real>", ""), ("Local<R>", "Local")] {
             code = code.replace(rust, wgsl);
+        }
+        // declared in this order, passed on in this order, each of them only where it is needed
+        for (declared, passed) in [("m: &Model, ", "m, "), ("p: &Parameters, ", "p, "), ("t: &Tables, ", "t, ")] {
+            code = code.replace(declared, "").replace(&format!("({passed}"), "(");
         }
         out += &mark_literals(&code);
         out.push('\n');
@@ -67,7 +64,7 @@ mod tests {
     #[test]
     fn rust_becomes_wgsl() {
         let rust = "/// Doc.\n#[inline(always)]\npub fn f<R: Real>(m: &Model, p: &Parameters, a: Local<R>) -> R { // why\n    \
-                    return g(m, p, a) * 1.5e-3 + h(p, a.q2) * 2.0;\n}\n";
+                    return g(m, p, t, a) * 1.5e-3 + h(p, a.q2) * 2.0;\n}\n";
         let wgsl = "fn f(a: Local) -> R {\n    return g(a) * 1.5e-3f + h(a.q2) * 2.0f;\n}\n";
         assert_eq!(wgsl_of(rust), wgsl);
     }

@@ -4,7 +4,7 @@ use crate::buffers::{Maker, read};
 use crate::device::Gpu;
 use crate::error::GpuError;
 use crate::pipelines::dispatch_once;
-use millpond_core::arithmetic::real::{abs, div, flush, larger, less, root, select, smaller};
+use millpond_core::arithmetic::real::{abs, div, floor, flush, larger, less, root, select, smaller};
 use millpond_core::layout::{WORKGROUP, f32x4};
 
 /// A word, or a spelling that drivers like to rewrite.
@@ -33,7 +33,7 @@ const WORDS: &[Word] = &[
         wgsl: "(v.x - v.y) * 1.0e-38f + v.z * 1.0e-38f",
         rust: |v| (v[0] - v[1]) * 1e-38 + v[2] * 1e-38,
     },
-    Word { name: "floor", wgsl: "floor(v.x * 1000.0f)", rust: |v| (v[0] * 1000.0).floor() },
+    Word { name: "floor", wgsl: "floor(v.x * 1000.0f)", rust: |v| floor(v[0] * 1000.0) },
     Word { name: "product into sum", wgsl: "v.x * v.y + v.z", rust: |v| v[0] * v[1] + v[2] },
     // written (x + y) * z by the optimisers of two drivers, unless they are told not to
     Word { name: "common factor", wgsl: "v.x * v.z + v.y * v.z", rust: |v| v[0] * v[2] + v[1] * v[2] },

@@ -3,8 +3,8 @@ use crate::failure::Failure;
 use crate::fluid::Snapshot;
 use crate::memory::Heap;
 use millpond_core::layout::f32x4;
-use millpond_core::report::DensityError;
-use millpond_core::scene::{GridStructure, Place, Scene};
+use millpond_core::report::{DensityError, Energies};
+use millpond_core::scene::{GridStructure, Scene};
 use millpond_core::{Needs, Plan, Solver};
 use serde::Serialize;
 
@@ -15,6 +15,8 @@ pub struct Census {
     pub average_neighbours: f64,
     /// Compression.
     pub density_error: DensityError,
+    /// Energies but for heat, which the solver that was set up knows nothing of.
+    pub energies: Energies,
     /// Fastest particle, m/s.
     pub fastest: f64,
 }
@@ -54,15 +56,13 @@ pub fn census(scene: &Scene, state: &Snapshot) -> Result<Census, Failure> {
     scene.grid.structure = GridStructure::IndexSort;
     let scene = &scene;
     let mut heap = Heap::with(Needs { particles: count, ..Needs::of(scene) });
-    let vector = |[x, y, z, _]: f32x4| [x, y, z];
-    let places = state.position.iter().zip(&state.velocity);
-    let places = places.map(|(x, v)| Place { position: vector(*x), velocity: vector(*v) });
-    let solver = Solver::with_particles(scene, Plan::of(scene), count, places, heap.lend());
+    let solver = Solver::with_particles(scene, Plan::of(scene), count, state.places(), heap.lend());
     let mut solver = solver.map_err(|error| Failure::Scene { origin: "census".into(), error })?;
     let speed = |v: &f32x4| v[..3].iter().map(|x| f64::from(*x) * f64::from(*x)).sum::<f64>().sqrt();
     Ok(Census {
         average_neighbours: solver.average_neighbours(),
         density_error: solver.density_error(),
+        energies: solver.energies(),
         fastest: state.velocity.iter().map(speed).fold(0.0, f64::max),
     })
 }

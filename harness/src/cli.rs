@@ -2,7 +2,7 @@
 use crate::failure::Failure;
 use crate::output::{print_json, say};
 use crate::scenes::{BUILT_IN, Changes, load};
-use crate::{bench, compare, error_study, plan_view, run, showcase};
+use crate::{bench, check, compare, error_study, plan_view, run, showcase};
 use clap::{Parser, Subcommand};
 
 /// A deterministic, fixed-capacity SPH fluid: run it, compare its backends bit for bit, weigh error against run time.
@@ -27,6 +27,8 @@ enum Command {
     Plan(plan_view::Options),
     /// Weigh error against run time
     Error(error_study::Options),
+    /// Hold the fluid against references from outside: named studies with limits
+    Check(check::Options),
     /// List the built-in scenes
     Scenes {
         /// One JSON document on stdout
@@ -48,6 +50,7 @@ impl Cli {
             Some(Command::Bench(options)) => bench::execute(&options),
             Some(Command::Plan(options)) => plan_view::execute(&options),
             Some(Command::Error(options)) => error_study::execute(&options),
+            Some(Command::Check(options)) => check::execute(&options),
             Some(Command::Scenes { json }) => list_scenes(json),
         }
     }

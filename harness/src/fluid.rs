@@ -7,7 +7,7 @@ use crate::scenes::Named;
 use millpond_core::Solver;
 use millpond_core::hash::state_hash;
 use millpond_core::layout::f32x4;
-use millpond_core::scene::Scene;
+use millpond_core::scene::{Place, Scene};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 
 /// Set to `1`, it turns a missing GPU into a failure, so that no comparison is skipped unseen.
@@ -41,12 +41,34 @@ pub struct Snapshot {
     pub velocity: Vec<f32x4>,
     /// [`QUANTITIES`](millpond_core::layout::QUANTITIES).
     pub density_pressure: Vec<f32x4>,
+    /// Thermal energy, J/kg, and its rate, W/kg; empty where the scene keeps no account of it.
+    pub heat: Vec<f32x4>,
 }
 
 impl Snapshot {
-    fn of(slots: &[u32], position: &[f32x4], velocity: &[f32x4], density_pressure: &[f32x4]) -> Snapshot {
-        let by_id = |array: &[f32x4]| slots.iter().map(|&slot| array[slot as usize]).collect();
-        Snapshot { position: by_id(position), velocity: by_id(velocity), density_pressure: by_id(density_pressure) }
+    fn of(slots: &[u32], [position, velocity, density_pressure, heat]: [&[f32x4]; 4]) -> Snapshot {
+        let by_id =
+            |array: &[f32x4]| slots.iter().filter_map(|&slot| array.get(slot as usize)).copied().collect::<Vec<_>>();
+        Snapshot {
+            position: by_id(position),
+            velocity: by_id(velocity),
+            density_pressure: by_id(density_pressure),
+            heat: by_id(heat),
+        }
+    }
+
+    /// Where particles would be to go on from here.
+    pub fn places(&self) -> impl Iterator<Item = Place> {
+        let vector = |[x, y, z, _]: f32x4| [x, y, z];
+        let all = self.position.iter().zip(&self.velocity).zip(&self.density_pressure);
+        all.map(move |((x, v), d)| Place {
+            position: vector(*x),
+            velocity: vector(*v),
+            species: v[3] as u32,
+            mass: x[3],
+            deviation: d[0],
+            pressure: d[1],
+        })
     }
 
     /// The state hash, as core computes it.
@@ -60,7 +82,7 @@ impl Snapshot {
     #[must_use]
     pub fn of_cpu(solver: &Solver<'_>) -> Snapshot {
         let state = solver.state();
-        Snapshot::of(solver.slots(), state.position, state.velocity, state.density_pressure)
+        Snapshot::of(solver.slots(), [state.position, state.velocity, state.density_pressure, state.heat])
     }
 
     /// Of a GPU solver.
@@ -69,7 +91,7 @@ impl Snapshot {
     /// The device failed.
     pub fn of_gpu(solver: &GpuSolver) -> Result<Snapshot, Failure> {
         let state = solver.read()?;
-        Ok(Snapshot::of(&state.slots(), &state.position, &state.velocity, &state.density_pressure))
+        Ok(Snapshot::of(&state.slots(), [&state.position, &state.velocity, &state.density_pressure, &state.heat]))
     }
 }
 

@@ -76,7 +76,8 @@ fn draw(named: &Named, step: u64, state: &Snapshot, path: &Path) -> Result<(), F
     let (shade, range, legend): (Vec<f32>, _, _) = match named.file.shade {
         Shade::Speed(low, high) => (state.velocity.iter().map(speed).collect(), [low, high], "speed, m/s"),
         Shade::Density(low, high) => {
-            (state.density_pressure.iter().map(|d| d[0]).collect(), [low, high], "density, kg/m3")
+            let rest = scene.fluid.rest_density;
+            (state.density_pressure.iter().map(|d| (d[0] + 1.0) * rest).collect(), [low, high], "density, kg/m3")
         }
     };
     let time = step as f64 * f64::from(scene.time_step);

@@ -1,13 +1,14 @@
 //! millpond: the program that runs fluid scenes on both backends and shows that they agree, how fast they are and how
 //! far off.
 //!
-//! Each command has a module of its own: [`run`], [`compare`], [`mod@bench`], [`plan_view`], [`error_study`], and
+//! Each command has a module of its own: [`run`], [`compare`], [`mod@bench`], [`plan_view`], [`error_study`], [`check`], and
 //! [`showcase`], which is what happens without any. They share [`scenes`] (what runs), [`fluid`] (a scene on a backend),
 //! [`census`] (what can be said of it) and the drawing in [`paint`], [`frames`] and [`plot`].
 
 pub mod arguments;
 pub mod bench;
 pub mod census;
+pub mod check;
 pub mod cli;
 pub mod compare;
 pub mod error_study;

@@ -1,5 +1,5 @@
 //! Memory for a scene of any size, from the heap. An embedder with a fixed capacity uses `Storage` instead.
-use millpond_core::layout::f32x4;
+use millpond_core::layout::{TABLE_WORDS, f32x4};
 use millpond_core::scene::Scene;
 use millpond_core::storage::{LIST_ENTRIES, Scratch, State};
 use millpond_core::{Memory, Needs};
@@ -15,6 +15,12 @@ pub struct Heap {
     list: Vec<u32>,
     cell_words: [Vec<u32>; 2],
     grid_cells: Vec<u32>,
+    smoothing: [Vec<f32x4>; 2],
+    heat: [Vec<f32x4>; 2],
+    previous: Vec<f32x4>,
+    free: Vec<f32x4>,
+    tables: Vec<f32>,
+    field: Vec<f32x4>,
 }
 
 impl Heap {
@@ -27,7 +33,8 @@ impl Heap {
     /// For these needs.
     #[must_use]
     pub fn with(needs: Needs) -> Heap {
-        let Needs { particles: n, cells, places } = needs;
+        let Needs { particles: n, cells, places, smoothing, heat, previous, free, tables, nodes } = needs;
+        let if_needed = |needed: bool| vec![[0.0; 4]; if needed { n } else { 0 }];
         let state = || [(); 4].map(|()| vec![[0.0; 4]; n]);
         Heap {
             vectors: [state(), state()],
@@ -38,6 +45,12 @@ impl Heap {
             list: vec![0; n * LIST_ENTRIES],
             cell_words: [vec![0; cells], vec![0; cells]],
             grid_cells: vec![0; places],
+            smoothing: [if_needed(smoothing), if_needed(smoothing)],
+            heat: [if_needed(heat), if_needed(heat)],
+            previous: if_needed(previous),
+            free: if_needed(free),
+            tables: vec![0.0; if tables { TABLE_WORDS } else { 0 }],
+            field: vec![[0.0; 4]; nodes],
         }
     }
 
@@ -48,8 +61,10 @@ impl Heap {
         let [cell, rank, order] = self.particle_words.each_mut().map(Vec::as_mut_slice);
         let [begin, counter] = self.cell_words.each_mut().map(Vec::as_mut_slice);
         let grid_cells = self.grid_cells.as_mut_slice();
+        let [smoothing, other_smoothing] = self.smoothing.each_mut().map(Vec::as_mut_slice);
+        let [heat, other_heat] = self.heat.each_mut().map(Vec::as_mut_slice);
         Memory {
-            states: [state(first, first_id), state(second, second_id)],
+            states: [state(first, smoothing, heat, first_id), state(second, other_smoothing, other_heat, second_id)],
             slot: &mut self.slot,
             scratch: Scratch {
                 cell,
@@ -60,12 +75,21 @@ impl Heap {
                 begin,
                 counter,
                 grid_cells,
+                previous: &mut self.previous,
+                free: &mut self.free,
             },
+            tables: &mut self.tables,
+            field: &mut self.field,
         }
     }
 }
 
-fn state<'m>(vectors: &'m mut [Vec<f32x4>; 4], id: &'m mut [u32]) -> State<'m> {
+fn state<'m>(
+    vectors: &'m mut [Vec<f32x4>; 4],
+    smoothing: &'m mut [f32x4],
+    heat: &'m mut [f32x4],
+    id: &'m mut [u32],
+) -> State<'m> {
     let [position, velocity, acceleration, density_pressure] = vectors.each_mut().map(Vec::as_mut_slice);
-    State { position, velocity, acceleration, density_pressure, id }
+    State { position, velocity, acceleration, density_pressure, smoothing, heat, id }
 }

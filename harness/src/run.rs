@@ -10,6 +10,7 @@ use crate::pool::Pool;
 use crate::scenes::{Named, load};
 use crate::timing::{Milliseconds, timed};
 use millpond_core::guided::support_radius;
+use millpond_core::scene::NearPressure;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -133,7 +134,7 @@ pub fn run(
             "Courant number {courant:.2} is larger than {COURANT_LIMIT}: a smaller time_step or speed_of_sound is safer"
         ));
     }
-    if scene.model.near_pressure && !scene.model.suction {
+    if scene.model.near_pressure != NearPressure::Off && !scene.model.suction {
         warnings
             .push("near pressure without suction has nothing to balance it: this liquid will expand like a gas".into());
     }

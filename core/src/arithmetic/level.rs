@@ -2,7 +2,7 @@
 //!
 //! The choice changes speed, never a bit. `core` cannot ask the operating system, so [`Simd::detect`] reads the
 //! processor itself; a host that knows better names a level.
-use super::lanes::Lanes;
+use super::lanes::Base;
 use super::real::Real;
 
 /// A way to compute, from slowest to fastest.
@@ -41,7 +41,7 @@ impl Simd {
     pub(crate) fn run<W: Work>(self, work: W) {
         match self {
             Simd::Scalar => work.run::<f32>(),
-            Simd::Base => work.run::<Lanes>(),
+            Simd::Base => work.run::<Base>(),
             Simd::Avx2 => run_avx2(work),
         }
     }
@@ -53,7 +53,7 @@ impl Simd {
 fn run_avx2<W: Work>(work: W) {
     #[target_feature(enable = "avx2")]
     fn vector<W: Work>(work: W) {
-        work.run::<Lanes>();
+        work.run::<super::x86::Avx>();
     }
     // SAFETY: `Solver` takes its level through `or_best`, which grants AVX2 only where cpuid and xgetbv show it.
     unsafe { vector(work) }
@@ -62,7 +62,7 @@ fn run_avx2<W: Work>(work: W) {
 #[cfg(not(target_arch = "x86_64"))]
 #[inline]
 fn run_avx2<W: Work>(work: W) {
-    work.run::<Lanes>();
+    work.run::<Base>();
 }
 
 /// Intel's manual, volume 1, 14.7.1: AVX2 counts where the processor has it and the system saves its registers.

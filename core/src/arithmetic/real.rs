@@ -3,6 +3,7 @@
 //!
 //! Every word is exactly rounded or a pure selection, so that scalar, lanes and GPU cannot differ. `larger` and
 //! `smaller` compare and select: WGSL's own `max` and `min` leave -0 and NaN open.
+use crate::layout::{TABLE_ENTRIES, Tables};
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// A number of the physics: `f32`, or [`Lanes`](super::lanes::Lanes). Literals stand on the right: `x * 2.0`.
@@ -34,6 +35,8 @@ pub trait Real:
     fn root(self) -> Self;
     /// Magnitude.
     fn abs(self) -> Self;
+    /// The largest whole number that is not larger.
+    fn floor(self) -> Self;
     /// `self < y`; false for NaN.
     fn less(self, y: Self) -> Self::Mask;
     /// `yes` where the mask holds, else `no`.
@@ -62,6 +65,19 @@ pub fn root<R: Real>(x: R) -> R {
 #[inline(always)]
 pub fn abs<R: Real>(x: R) -> R {
     x.abs()
+}
+
+/// The largest whole number that is not larger. Devices disagree about the sign of a zero: no term may let it through.
+#[inline(always)]
+pub fn floor<R: Real>(x: R) -> R {
+    x.floor()
+}
+
+/// An entry of one of the tables, its index being a whole number; 0 where there is none.
+#[inline(always)]
+pub fn lookup<R: Real>(tables: &Tables, table: u32, entry: R) -> R {
+    let first = table as usize * TABLE_ENTRIES;
+    R::from_lanes(|lane| tables.get(first + entry.lane(lane) as usize).copied().unwrap_or(0.0))
 }
 
 /// `x < y`; false for NaN.
@@ -174,6 +190,10 @@ impl Real for f32 {
     #[inline(always)]
     fn abs(self) -> f32 {
         f32::abs(self)
+    }
+    #[inline(always)]
+    fn floor(self) -> f32 {
+        super::root::floor(self)
     }
     #[inline(always)]
     fn less(self, y: f32) -> bool {

@@ -1,4 +1,4 @@
-//! Square roots: the one operation that `core` lacks and every processor rounds correctly.
+//! What `core` lacks and every processor does exactly: square roots, and the floor.
 
 /// Correctly rounded roots of four numbers. `core` has no `sqrt`, and `libm`'s is a scalar instruction in inline
 /// assembly, which inside vector code costs 80 times as much.
@@ -27,4 +27,16 @@ pub(crate) fn root4(x: [f32; 4]) -> [f32; 4] {
 #[inline(always)]
 pub(crate) fn root4(x: [f32; 4]) -> [f32; 4] {
     x.map(libm::sqrtf)
+}
+
+/// From here on every number is whole.
+const ALL_WHOLE: f32 = 8_388_608.0;
+
+/// The largest whole number that is not larger, by the conversions that vector instructions have.
+#[inline(always)]
+pub(crate) fn floor(x: f32) -> f32 {
+    let towards_zero = x as i32 as f32;
+    let down = if towards_zero > x { towards_zero - 1.0 } else { towards_zero };
+    // a whole number stays, -0 too, and so does what is none
+    if down != x && x.abs() < ALL_WHOLE { down } else { x }
 }

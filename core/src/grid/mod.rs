@@ -10,11 +10,11 @@ use core::ops::Range;
 /// A coordinate past this many cells from the origin cannot tell its cell any more.
 pub const FARTHEST_CELL: f32 = 4_194_304.0;
 
-/// The cell of a coordinate before wrapping, or `None` beyond the range (or for NaN).
+/// The cell of a coordinate along an axis before wrapping, or `None` beyond the range (or for NaN).
 #[inline]
 #[must_use]
-pub fn cell_coordinate(p: &Parameters, x: f32) -> Option<i32> {
-    let scaled = x * p.inverse_cell;
+pub fn cell_coordinate(p: &Parameters, axis: usize, x: f32) -> Option<i32> {
+    let scaled = (x - p.domain_low[axis]) * p.inverse_cell[axis];
     if scaled.abs() < FARTHEST_CELL {
         let towards_zero = scaled as i32;
         Some(towards_zero - i32::from(towards_zero as f32 > scaled))
@@ -39,7 +39,7 @@ pub fn cell_index(p: &Parameters, c: [i32; 3]) -> u32 {
 pub fn cell_of(p: &Parameters, position: f32x4) -> Result<u32, u32> {
     let mut c = [0; 3];
     for (axis, c) in c.iter_mut().enumerate() {
-        *c = cell_coordinate(p, position[axis]).ok_or(axis as u32)?;
+        *c = cell_coordinate(p, axis, position[axis]).ok_or(axis as u32)?;
     }
     Ok(cell_index(p, c))
 }
@@ -111,6 +111,14 @@ impl Stencil {
                 }
             }
         }
+        stencil
+    }
+
+    /// A single run.
+    #[inline(always)]
+    pub(crate) fn one(start: u32, end: u32) -> Stencil {
+        let mut stencil = Stencil { runs: [(0, 0); 27], count: 1 };
+        stencil.runs[0] = (start, end);
         stencil
     }
 

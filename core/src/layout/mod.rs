@@ -7,23 +7,27 @@
 mod model;
 mod parameters;
 mod status;
+mod tables;
 
 pub use model::Model;
-pub use parameters::{PLANES, Parameters};
+pub use parameters::{PLANES, Parameters, SPECIES};
 pub use status::{NONE, Status};
+pub use tables::{TABLE_ENTRIES, TABLE_WORDS, TABLES, Tables};
 
 /// Four floats: xyz and one scalar.
 pub type f32x4 = [f32; 4];
 /// Four unsigned integers.
 pub type u32x4 = [u32; 4];
-/// The walls of a scene: normal and offset of each plane.
+/// The penalty walls of a scene: normal and offset of each plane.
 pub type Planes = [f32x4; PLANES];
+/// The kinds of particle of a scene.
+pub type Kinds = [f32x4; SPECIES];
 
 /// Threads of a work group on a GPU.
 pub const WORKGROUP: u32 = 64;
 
 /// What a particle's derived quantities are, in the order of the four numbers of `density_pressure`.
-pub const QUANTITIES: [&str; 4] = ["density", "pressure", "near_pressure", "volume"];
+pub const QUANTITIES: [&str; 4] = ["deviation", "pressure", "near_pressure", "volume"];
 
 /// Declares a struct once, for Rust and, as `WGSL`, for the GPU.
 macro_rules! shared {

@@ -1,8 +1,11 @@
 //! The constants of a scene, computed once on the CPU and handed to both backends as bits.
-use super::{Planes, f32x4, shared, u32x4};
+use super::{Kinds, Planes, f32x4, shared, u32x4};
 
-/// Walls that a scene can have.
+/// Penalty walls that a scene can have.
 pub const PLANES: usize = 6;
+
+/// Kinds of particle that a scene can have: the fluid, blocks of another viscosity, walls.
+pub const SPECIES: usize = 25;
 
 shared! {
     /// What every pass reads. SI units, as in 3D; in 2D masses are per metre of depth, and constants of kernels have one
@@ -10,45 +13,104 @@ shared! {
     pub struct Parameters {
         /// Cells along x, y, z, and in all.
         pub cells: u32x4,
+        /// One over the edge of a cell along x, y, z, 1/m; w unused.
+        pub inverse_cell: f32x4,
+        /// Where cells and periods begin along x, y, z, m; w unused.
+        pub domain_low: f32x4,
+        /// Length of the periodic axes, m; 0 along the others; w unused.
+        pub period: f32x4,
+        /// Half of it; the largest number along the others; w unused.
+        pub half_period: f32x4,
+        /// One over it, 1/m; 0 along the others; w unused.
+        pub inverse_period: f32x4,
         /// Acceleration of gravity, m/s2; w unused.
         pub gravity: f32x4,
-        /// Walls: inward unit normal, and offset along it in m.
+        /// Velocity of the wind, m/s, and its drag, 1/s.
+        pub wind: f32x4,
+        /// First node of the host's field, m, and one over the distance of nodes, 1/m.
+        pub field_low: f32x4,
+        /// Nodes along x, y, z, and in all.
+        pub field_counts: u32x4,
+        /// Penalty walls: inward unit normal, and offset along it in m.
         pub planes: Planes,
+        /// Kinds of particle: dynamic viscosity in Pa s, 1 for a wall; z and w unused.
+        pub species: Kinds,
         /// Particles in all.
         pub particle_count: u32,
-        /// Walls in use.
+        /// Penalty walls in use.
         pub plane_count: u32,
-        /// One over the edge of a cell, 1/m.
-        pub inverse_cell: f32,
         /// One over the support radius, 1/m.
         pub inverse_support: f32,
         /// Its square, 1/m2.
         pub inverse_support_squared: f32,
+        /// Support radius, m.
+        pub support: f32,
+        /// `0.01 (H / 2)^2`, m2, which keeps close pairs from dividing by nothing.
+        pub softening: f32,
+        /// Smallest share of it that a particle's support has.
+        pub smallest_support: f32,
+        /// Largest share.
+        pub largest_support: f32,
         /// Time step, s.
         pub time_step: f32,
         /// Half of it, s.
         pub half_time_step: f32,
+        /// One over it, 1/s.
+        pub inverse_time_step: f32,
         /// Mass of a particle, kg.
         pub particle_mass: f32,
-        /// Mass times the constant of the density kernel, kg/m3.
+        /// Volume of a particle at rest, m3.
+        pub rest_volume: f32,
+        /// Density at rest, kg/m3.
+        pub rest_density: f32,
+        /// Speed of sound at rest, m/s.
+        pub speed_of_sound: f32,
+        /// What makes a sum over the density kernel a share of the rest density.
         pub density_constant: f32,
+        /// What makes a sum over the pressure kernel's slope a rate of the deviation: mass over rest density, times the
+        /// slope's constant, times one over the support.
+        pub continuity_constant: f32,
         /// Constant of the pressure kernel's slope, 1/m4.
         pub pressure_constant: f32,
         /// Constant of the near kernel's slope, 1/m4.
         pub near_constant: f32,
+        /// Near pressure of the thesis at rest, Pa.
+        pub near_pressure_at_rest: f32,
+        /// Near pressure of the article over the near sum, Pa.
+        pub near_density_constant: f32,
+        /// Constant of the viscosity kernel's slope, 1/m4.
+        pub viscosity_slope_constant: f32,
         /// Constant of the viscosity kernel's Laplacian, 1/m5.
-        pub viscosity_constant: f32,
-        /// Density at rest, kg/m3.
-        pub rest_density: f32,
-        /// Tait: `rho0 c0^2 / 7`, Pa. Desbrun: `c0^2`, m2/s2.
+        pub viscosity_laplacian_constant: f32,
+        /// Tait: `rho0 c0^2 / 7`. Else `rho0 c0^2`. Pa.
         pub state_stiffness: f32,
-        /// Near pressure over density, m2/s2.
-        pub near_stiffness: f32,
-        /// Dynamic viscosity, Pa s.
-        pub dynamic_viscosity: f32,
-        /// Share of the normal velocity that a wall gives back.
+        /// Change of pressure for a density that is off by all of itself, Pa.
+        pub correction_stiffness: f32,
+        /// One over it, 1/Pa.
+        pub inverse_correction_stiffness: f32,
+        /// `1 / (rho0 c0^2)`, 1/Pa.
+        pub compressibility: f32,
+        /// Largest density miss at which iterations end.
+        pub tolerance: f32,
+        /// Linear coefficient of the artificial viscosity.
+        pub alpha: f32,
+        /// Quadratic one.
+        pub beta: f32,
+        /// `2 (d + 2)`.
+        pub dotted_factor: f32,
+        /// Share of a velocity difference exchanged in a step.
+        pub velocity_exchange: f32,
+        /// The same of approaching velocities.
+        pub radial_exchange: f32,
+        /// What makes a sum over the density kernel a velocity: eta, mass over rest density, constant.
+        pub xsph_constant: f32,
+        /// Share of dissipation that becomes heat.
+        pub heat_gain: f32,
+        /// Ambient density over rest density.
+        pub ambient_ratio: f32,
+        /// Share of the normal velocity that a penalty wall gives back.
         pub bounce: f32,
-        /// Share of the tangential velocity that a wall leaves.
+        /// Share of the tangential velocity that it leaves.
         pub slip: f32,
         /// Unused.
         pub pad0: u32,

@@ -20,10 +20,19 @@ shared! {
         pub cell_count: u32,
         /// Smallest `4 id + quantity` of a particle that is not finite any more.
         pub not_finite: u32,
-        /// Unused.
-        pub pad0: u32,
-        /// Unused.
-        pub pad1: u32,
+        /// Iterations of pressure: 0 while there is something to mend, 1 when the last pressure is still to act, 2 when
+        /// all is done.
+        pub settled: u32,
+        /// Largest density miss of the last iteration, as the bits of a number that is not negative.
+        pub residual: u32,
+        /// Iterations of this step.
+        pub iterations: u32,
+        /// Iterations of the last step that counts.
+        pub last_iterations: u32,
+        /// Density miss at its end.
+        pub last_residual: u32,
+        /// Iterations of all steps that count.
+        pub total_iterations: u32,
     }
 }
 
@@ -31,7 +40,6 @@ impl Status {
     /// Nothing has gone wrong after `steps` steps.
     #[must_use]
     pub fn fine(steps: u32) -> Status {
-        let (failed, cell_count, pad0, pad1) = (0, 0, 0, 0);
-        Status { failed, steps, out_of_range: NONE, cell_full: NONE, cell_count, not_finite: NONE, pad0, pad1 }
+        Status { steps, out_of_range: NONE, cell_full: NONE, not_finite: NONE, ..bytemuck::Zeroable::zeroed() }
     }
 }

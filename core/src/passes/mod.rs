@@ -1,6 +1,8 @@
 //! The loops over particles, one file a pass, in the order of a step. The GPU's passes have the same names.
 //!
 //! Loops only load, call a term and store. No job reads what another job of its pass writes.
+pub(crate) mod field;
+pub(crate) mod local;
 pub(crate) mod p01_integrate_before;
 pub(crate) mod p02_count;
 pub(crate) mod p03_cell_lists;
@@ -8,21 +10,36 @@ pub(crate) mod p04_scan;
 pub(crate) mod p05_place;
 pub(crate) mod p06_order;
 pub(crate) mod p07_gather;
-pub(crate) mod p08_density;
-pub(crate) mod p09_force;
-pub(crate) mod p10_integrate_after;
-pub(crate) mod p11_commit;
+pub(crate) mod p08_support;
+pub(crate) mod p09_density;
+pub(crate) mod p10_force;
+pub(crate) mod p11_pressure_force;
+pub(crate) mod p12_pressure_correct;
+pub(crate) mod p13_pressure_settle;
+pub(crate) mod p14_heat;
+pub(crate) mod p15_smooth;
+pub(crate) mod p16_integrate_after;
+pub(crate) mod p17_commit;
+pub(crate) mod pairs;
 
 use crate::arithmetic::level::Simd;
 use crate::arithmetic::real::{Real, vec3};
-use crate::layout::{Model, Parameters, f32x4};
+use crate::layout::{Model, Parameters, SPECIES, Tables, f32x4};
 
 /// What every pass is told.
 #[derive(Clone, Copy)]
 pub(crate) struct Setup<'a> {
     pub model: &'a Model,
     pub parameters: &'a Parameters,
+    pub tables: &'a Tables,
+    pub field: &'a [f32x4],
     pub simd: Simd,
+}
+
+/// The kind of a particle: dynamic viscosity, and 1 for a wall's. `w` is the fourth number of its velocity.
+#[inline(always)]
+fn kind(p: &Parameters, w: f32) -> f32x4 {
+    p.species[(w as usize).min(SPECIES - 1)]
 }
 
 /// Particles `first ..= last` in the lanes, the last one repeated to fill up.
@@ -38,10 +55,24 @@ fn load_one<R: Real>(array: &[f32x4], first: usize, last: usize, i: usize) -> R 
     R::from_lanes(|lane| array[(first + lane).min(last)][i])
 }
 
+/// 1 in the lanes of walls' particles, by their velocities.
+#[inline(always)]
+fn load_wall<R: Real>(p: &Parameters, velocity: &[f32x4], first: usize, last: usize) -> R {
+    R::from_lanes(|lane| kind(p, velocity[(first + lane).min(last)][3])[1])
+}
+
 /// The lanes into as many entries as there are, w = 0.
 #[inline(always)]
 fn store<R: Real>(out: &mut [f32x4], v: vec3<R>) {
     for (lane, out) in out.iter_mut().take(R::LANES).enumerate() {
         *out = [v.x.lane(lane), v.y.lane(lane), v.z.lane(lane), 0.0];
+    }
+}
+
+/// The lanes into as many entries as there are, whose w stays.
+#[inline(always)]
+fn store_xyz<R: Real>(out: &mut [f32x4], v: vec3<R>) {
+    for (lane, out) in out.iter_mut().take(R::LANES).enumerate() {
+        *out = [v.x.lane(lane), v.y.lane(lane), v.z.lane(lane), out[3]];
     }
 }

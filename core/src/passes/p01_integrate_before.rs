@@ -1,77 +1,65 @@
-//! First half of the integrator, and the cell that each particle comes to.
+//! First half of the integrator.
 //!
 //! Reads the old state in its slots. The new state's slots are not known yet, so the moved particles wait in two arrays
-//! of the new state that are not in use before `p08_density` and `p09_force` fill them.
-use super::{Setup, load, store};
+//! of the new state that are not in use before `p09_density` and `p10_force` fill them.
+use super::{Setup, load, load_wall, store_xyz};
 use crate::arithmetic::level::Work;
 use crate::arithmetic::real::{Real, real};
 use crate::executor::{Executor, Jobs, parts, shares, take};
-use crate::grid::cell_of;
-use crate::layout::{NONE, Parameters, f32x4};
+use crate::layout::f32x4;
 use crate::storage::State;
-use crate::terms::integrate::{drift, kick};
+use crate::terms::integrate::{drift, kick, wrap};
+use crate::terms::wall::if_free;
+use core::ops::Range;
 
 struct Job<'a> {
-    p: &'a Parameters,
-    position: &'a [f32x4],
-    velocity: &'a [f32x4],
-    acceleration: &'a [f32x4],
-    id: &'a [u32],
+    setup: Setup<'a>,
+    old: &'a State<'a>,
+    slots: Range<usize>,
     moved_position: &'a mut [f32x4],
     moved_velocity: &'a mut [f32x4],
-    cell: &'a mut [u32],
-    /// Smallest `4 id + axis` beyond the grid's range.
-    out_of_range: u32,
 }
 
-/// Fills `moved_position`, `moved_velocity` and `cell`; returns the smallest `4 id + axis` out of range, or [`NONE`].
+/// Fills `moved_position` and `moved_velocity`.
 pub(crate) fn run(
     setup: Setup<'_>,
     executor: &impl Executor,
     old: &State<'_>,
     moved_position: &mut [f32x4],
     moved_velocity: &mut [f32x4],
-    cell: &mut [u32],
-) -> u32 {
-    let (mut positions, mut velocities, mut cells) = (moved_position, moved_velocity, cell);
+) {
+    let (mut positions, mut velocities) = (moved_position, moved_velocity);
     let mut jobs = Jobs::new();
     for slots in shares(old.id.len(), parts(executor)) {
-        let count = slots.len();
-        let job = Job {
-            p: setup.parameters,
-            position: &old.position[slots.clone()],
-            velocity: &old.velocity[slots.clone()],
-            acceleration: &old.acceleration[slots.clone()],
-            id: &old.id[slots],
-            moved_position: take(&mut positions, count),
-            moved_velocity: take(&mut velocities, count),
-            cell: take(&mut cells, count),
-            out_of_range: NONE,
-        };
-        let _ = jobs.push(job);
+        let (moved_position, moved_velocity) = (take(&mut positions, slots.len()), take(&mut velocities, slots.len()));
+        let _ = jobs.push(Job { setup, old, slots, moved_position, moved_velocity });
     }
     executor.run(&mut jobs, |job| setup.simd.run(job));
-    jobs.iter().map(|job| job.out_of_range).min().unwrap_or(NONE)
 }
 
 impl Work for &mut Job<'_> {
     #[inline(always)]
     fn run<R: Real>(self) {
-        let (dt, half_dt) = (real::<R>(self.p.time_step), real::<R>(self.p.half_time_step));
-        let count = self.id.len();
-        for first in (0..count).step_by(R::LANES) {
-            let end = (first + R::LANES).min(count);
+        let (m, p, old) = (self.setup.model, self.setup.parameters, self.old);
+        let (dt, half_dt) = (real::<R>(p.time_step), real::<R>(p.half_time_step));
+        // mass and kind go with them
+        self.moved_position.copy_from_slice(&old.position[self.slots.clone()]);
+        self.moved_velocity.copy_from_slice(&old.velocity[self.slots.clone()]);
+        for first in self.slots.clone().step_by(R::LANES) {
+            let end = (first + R::LANES).min(self.slots.end);
             let last = end - 1;
-            let v = kick::<R>(load(self.velocity, first, last), load(self.acceleration, first, last), half_dt);
-            let x = drift::<R>(load(self.position, first, last), v, dt);
-            store(&mut self.moved_velocity[first..end], v);
-            store(&mut self.moved_position[first..end], x);
-        }
-        for ((cell, x), id) in self.cell.iter_mut().zip(&*self.moved_position).zip(self.id) {
-            match cell_of(self.p, *x) {
-                Ok(index) => *cell = index,
-                Err(axis) => self.out_of_range = self.out_of_range.min(4 * id + axis),
+            let v = kick::<R>(load(old.velocity, first, last), load(old.acceleration, first, last), half_dt);
+            let mut way = v;
+            if m.xsph == 1 {
+                way = way + load(old.smoothing, first, last);
             }
+            if m.wall_particles != 0 {
+                way = if_free(m, way, load_wall(p, old.velocity, first, last));
+            }
+            let x = wrap(m, p, drift::<R>(load(old.position, first, last), way, dt));
+            let own = first - self.slots.start..end - self.slots.start;
+            store_xyz(&mut self.moved_velocity[own.clone()], v);
+            store_xyz(&mut self.moved_position[own], x);
         }
     }
 }

@@ -1,6 +1,43 @@
-//! How many particles each cell gets, and the how-manieth of its cell each particle is.
+//! The cell that each particle comes to, how many particles each cell gets, and the how-manieth of its cell each is.
 //!
-//! Serial: it is one increment a particle. On a GPU the ranks depend on who comes first; `p06_order` undoes that.
+//! Counting is serial: it is one increment a particle. On a GPU the ranks depend on who comes first; `p06_order` undoes
+//! that.
+use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::grid::cell_of;
+use crate::layout::{NONE, Parameters, f32x4};
+
+struct Job<'a> {
+    position: &'a [f32x4],
+    id: &'a [u32],
+    cell: &'a mut [u32],
+    /// Smallest `4 id + axis` beyond the grid's range.
+    out_of_range: u32,
+}
+
+/// Fills `cell`; returns the smallest `4 id + axis` out of range, or [`NONE`].
+pub(crate) fn find(
+    p: &Parameters,
+    executor: &impl Executor,
+    position: &[f32x4],
+    id: &[u32],
+    cell: &mut [u32],
+) -> u32 {
+    let mut cells = cell;
+    let mut jobs = Jobs::new();
+    for slots in shares(id.len(), parts(executor)) {
+        let cell = take(&mut cells, slots.len());
+        let _ = jobs.push(Job { position: &position[slots.clone()], id: &id[slots], cell, out_of_range: NONE });
+    }
+    executor.run(&mut jobs, |job| {
+        for ((cell, x), id) in job.cell.iter_mut().zip(job.position).zip(job.id) {
+            match cell_of(p, *x) {
+                Ok(index) => *cell = index,
+                Err(axis) => job.out_of_range = job.out_of_range.min(4 * id + axis),
+            }
+        }
+    });
+    jobs.iter().map(|job| job.out_of_range).min().unwrap_or(NONE)
+}
 
 /// Fills `counter` and `rank`.
 pub(crate) fn run(cell: &[u32], rank: &mut [u32], counter: &mut [u32]) {

@@ -1,10 +1,14 @@
 //! What makes a scene impossible, said before anything is touched.
-use super::{Container, Dimension, Face, GridStructure, Scene, lattice};
+use super::{Container, EquationOfState, Face, GridStructure, NearPressure, Scene, WallShape, lattice, walls};
 use crate::error::SceneError;
-use crate::guided::parameters;
+use crate::guided::{parameters, support_radius};
+use crate::lattice_sums::MOST_SPACINGS;
 
 /// Most particles of a scene: an id shares a word with an axis or a quantity in an error report.
 const MOST_PARTICLES: u64 = (1 << 30) - 1;
+
+/// Most nodes of a host's field: 64 MiB.
+const MOST_NODES: u32 = 1 << 22;
 
 impl Scene {
     /// Refuses a scene that cannot run, naming the field and its value.
@@ -15,17 +19,21 @@ impl Scene {
         positive("particle_spacing", self.particle_spacing)?;
         positive("average_neighbours", self.average_neighbours)?;
         positive("time_step", self.time_step)?;
+        let reach = support_radius(self) / f64::from(self.particle_spacing);
+        let sums = self.model.calibrated_mass || self.model.equation_of_state == EquationOfState::PressureCorrection;
+        if (sums || !self.walls.is_empty()) && reach > MOST_SPACINGS {
+            return Err(SceneError::OutOfScale { field: "average_neighbours", value: self.average_neighbours });
+        }
         finite("gravity", &self.gravity)?;
+        self.check_surroundings()?;
         self.check_fluid()?;
         self.check_blocks()?;
         self.check_container()?;
+        self.check_periodic()?;
         self.check_grid()?;
-        if self.dimension == Dimension::Two {
-            let tilted = self.gravity[2] != 0.0 || self.blocks.iter().any(|b| b.velocity[2] != 0.0);
-            if tilted {
-                return Err(SceneError::OutOfPlane);
-            }
-        }
+        self.check_walls()?;
+        self.check_plane()?;
+        self.check_combinations()?;
         // what follows from the fields must be a number too
         let derived = parameters(self);
         let scale = |field, value, derived: &[f32]| {
@@ -33,26 +41,67 @@ impl Scene {
             if fine { Ok(()) } else { Err(SceneError::OutOfScale { field, value }) }
         };
         scale("fluid.speed_of_sound", self.fluid.speed_of_sound, &[derived.state_stiffness])?;
-        if self.model.near_pressure && self.fluid.near_stiffness.is_none() {
-            scale("fluid.speed_of_sound", self.fluid.speed_of_sound, &[derived.near_stiffness])?;
+        scale("fluid.speed_of_sound", self.fluid.speed_of_sound, &[derived.compressibility])?;
+        if self.model.near_pressure == NearPressure::Thesis && self.fluid.near_stiffness.is_none() {
+            scale("fluid.speed_of_sound", self.fluid.speed_of_sound, &[derived.near_pressure_at_rest])?;
         }
-        scale("fluid.rest_density", self.fluid.rest_density, &[derived.particle_mass, derived.density_constant])?;
+        scale("time_step", self.time_step, &[derived.inverse_time_step, derived.correction_stiffness])?;
+        scale("fluid.rest_density", self.fluid.rest_density, &[derived.particle_mass])?;
         let of_length = [
-            derived.inverse_cell,
+            derived.density_constant,
+            derived.inverse_cell[0],
             derived.inverse_support_squared,
+            derived.continuity_constant,
             derived.pressure_constant,
             derived.near_constant,
-            derived.viscosity_constant,
+            derived.viscosity_laplacian_constant,
         ];
         scale("particle_spacing", self.particle_spacing, &of_length)
+    }
+
+    fn check_surroundings(&self) -> Result<(), SceneError> {
+        not_negative("ambient_density", self.ambient_density)?;
+        if let Some(wind) = &self.wind {
+            finite("wind.velocity", &wind.velocity)?;
+            not_negative("wind.drag", wind.drag)?;
+        }
+        if let Some(field) = &self.field {
+            finite("field.low", &field.low)?;
+            positive("field.spacing", field.spacing)?;
+            finite("field.spacing", &[1.0 / field.spacing])?;
+            for (axis, &nodes) in field.counts.iter().enumerate().take(self.dimension.count()) {
+                if nodes < 2 {
+                    return Err(SceneError::TooFewNodes { axis, nodes });
+                }
+            }
+            let nodes = self.field_counts()[3];
+            if nodes > MOST_NODES {
+                return Err(SceneError::CapacityExceeded {
+                    what: "nodes of the field",
+                    needed: nodes as usize,
+                    capacity: MOST_NODES as usize,
+                });
+            }
+        }
+        Ok(())
     }
 
     fn check_fluid(&self) -> Result<(), SceneError> {
         let fluid = &self.fluid;
         positive("fluid.rest_density", fluid.rest_density)?;
         positive("fluid.speed_of_sound", fluid.speed_of_sound)?;
+        if let Some(stiffness) = fluid.stiffness {
+            positive("fluid.stiffness", stiffness)?;
+        }
         not_negative("fluid.dynamic_viscosity", fluid.dynamic_viscosity)?;
-        not_negative("fluid.near_stiffness", fluid.near_stiffness.unwrap_or(0.0))
+        not_negative("fluid.alpha", fluid.alpha)?;
+        not_negative("fluid.beta", fluid.beta)?;
+        share("fluid.velocity_exchange", fluid.velocity_exchange)?;
+        share("fluid.radial_exchange", fluid.radial_exchange)?;
+        share("fluid.xsph", fluid.xsph)?;
+        not_negative("fluid.near_stiffness", fluid.near_stiffness.unwrap_or(0.0))?;
+        share("fluid.heat_gain", fluid.heat_gain)?;
+        not_negative("fluid.thermal_energy", fluid.thermal_energy)
     }
 
     fn check_blocks(&self) -> Result<(), SceneError> {
@@ -61,6 +110,7 @@ impl Scene {
             finite("blocks.corner", &b.corner)?;
             finite("blocks.velocity", &b.velocity)?;
             not_negative("blocks.jitter", b.jitter)?;
+            not_negative("blocks.dynamic_viscosity", b.dynamic_viscosity.unwrap_or(0.0))?;
             let counts = lattice::counts(b, self);
             for (axis, (&size, count)) in b.size.iter().zip(counts).enumerate().take(self.dimension.count()) {
                 positive("blocks.size", size)?;
@@ -98,7 +148,7 @@ impl Scene {
                 let below = container.low[axis] - b.corner[axis];
                 let above = b.corner[axis] + b.size[axis] - container.high[axis];
                 for (face, by) in [(low_face, below), (high_face, above)] {
-                    if by > slack && !container.open.contains(&face) {
+                    if by > slack && self.is_closed(container, face) {
                         return Err(SceneError::BlockOutside { block, axis, by });
                     }
                 }
@@ -107,9 +157,59 @@ impl Scene {
         Ok(())
     }
 
+    fn check_periodic(&self) -> Result<(), SceneError> {
+        let Some(periodic) = &self.periodic else { return Ok(()) };
+        finite("periodic.low", &periodic.low)?;
+        finite("periodic.high", &periodic.high)?;
+        for axis in self.periodic_axes() {
+            let (low, high) = (periodic.low[axis], periodic.high[axis]);
+            if low >= high {
+                return Err(SceneError::EmptyDomain { axis, low, high });
+            }
+        }
+        Ok(())
+    }
+
+    fn check_walls(&self) -> Result<(), SceneError> {
+        let mut particles = self.fluid_count() as u64;
+        for (wall, w) in self.walls.iter().enumerate() {
+            finite("walls.velocity", &w.velocity)?;
+            not_negative("walls.dynamic_viscosity", w.dynamic_viscosity.unwrap_or(0.0))?;
+            let (low, high) = match &w.shape {
+                WallShape::Plane { low, high, .. } | WallShape::Box { low, high, .. } => (low, high),
+            };
+            finite("walls.low", low)?;
+            finite("walls.high", high)?;
+            let across = match &w.shape {
+                WallShape::Plane { face, .. } => Some(face.axis()),
+                WallShape::Box { .. } => None,
+            };
+            for axis in 0..self.dimension.count() {
+                let size = high[axis] - low[axis];
+                let fits = if Some(axis) == across { size == 0.0 } else { lattice::whole(size, self) > 0 };
+                if !fits {
+                    return Err(SceneError::WallExtent { wall, axis, size });
+                }
+            }
+            if !walls::is_in_space(w, self.dimension) {
+                return Err(SceneError::OutOfPlane);
+            }
+            particles = particles.saturating_add(walls::wall_count(w, self));
+        }
+        check_count(particles)
+    }
+
+    fn check_plane(&self) -> Result<(), SceneError> {
+        let tilted = self.gravity[2] != 0.0
+            || self.blocks.iter().any(|b| b.velocity[2] != 0.0)
+            || self.walls.iter().any(|w| w.velocity[2] != 0.0)
+            || self.wind.is_some_and(|w| w.velocity[2] != 0.0);
+        if self.dimension == super::Dimension::Two && tilted { Err(SceneError::OutOfPlane) } else { Ok(()) }
+    }
+
     fn check_grid(&self) -> Result<(), SceneError> {
         for axis in 0..self.dimension.count() {
-            let cells = self.grid.cells[axis];
+            let cells = self.cells()[axis];
             if cells < 3 {
                 return Err(SceneError::TooFewCells { axis, cells });
             }
@@ -123,23 +223,9 @@ impl Scene {
             return Err(SceneError::NotPositive { field: "grid.structure.places", value: 0.0 });
         }
         if total.and_then(|total| total.checked_mul(places)).is_none_or(|total| total > i32::MAX as u32) {
-            return Err(SceneError::TooManyCells { cells: self.grid.cells, places });
+            return Err(SceneError::TooManyCells { cells: self.cells(), places });
         }
         Ok(())
-    }
-
-    /// Cells along x, y, z: those of `grid`, and in 2D one along z.
-    #[must_use]
-    pub fn cells(&self) -> [u32; 3] {
-        let [x, y, z] = self.grid.cells;
-        [x, y, if self.dimension == Dimension::Two { 1 } else { z }]
-    }
-
-    /// Particles of a scene that [`Scene::check`] accepts.
-    #[must_use]
-    pub fn particle_count(&self) -> usize {
-        let count = |block| lattice::counts(block, self).iter().product::<u64>();
-        self.blocks.iter().map(count).sum::<u64>() as usize
     }
 }
 
@@ -151,24 +237,24 @@ pub(crate) fn check_count(particles: u64) -> Result<(), SceneError> {
     Ok(())
 }
 
-fn finite(field: &'static str, values: &[f32]) -> Result<(), SceneError> {
+pub(super) fn finite(field: &'static str, values: &[f32]) -> Result<(), SceneError> {
     match values.iter().find(|v| !v.is_finite()) {
         Some(&value) => Err(SceneError::NotFinite { field, value }),
         None => Ok(()),
     }
 }
 
-fn positive(field: &'static str, value: f32) -> Result<(), SceneError> {
+pub(super) fn positive(field: &'static str, value: f32) -> Result<(), SceneError> {
     finite(field, &[value])?;
     if value > 0.0 { Ok(()) } else { Err(SceneError::NotPositive { field, value }) }
 }
 
-fn not_negative(field: &'static str, value: f32) -> Result<(), SceneError> {
+pub(super) fn not_negative(field: &'static str, value: f32) -> Result<(), SceneError> {
     finite(field, &[value])?;
     if value >= 0.0 { Ok(()) } else { Err(SceneError::Negative { field, value }) }
 }
 
-fn share(field: &'static str, value: f32) -> Result<(), SceneError> {
+pub(super) fn share(field: &'static str, value: f32) -> Result<(), SceneError> {
     finite(field, &[value])?;
     if (0.0..=1.0).contains(&value) { Ok(()) } else { Err(SceneError::NotAShare { field, value }) }
 }

@@ -1,6 +1,167 @@
 //! Every choice between formulas or structures that a scene can make. The numbers of those that a term compares are the
-//! term's own.
-use crate::terms::{kernel, pressure, state};
+//! term's own, and so are their names.
+use crate::terms::{density, kernel, near, pressure, state, viscosity, wall};
+
+/// A choice between terms: its variants with the term's number and the names of what it computes.
+macro_rules! choice {
+    ($(#[$doc:meta])* pub enum $name:ident {
+        $($(#[$variant_doc:meta])* $variant:ident = $number:expr => $terms:expr,)*
+    }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[repr(u32)]
+        pub enum $name { $($(#[$variant_doc])* $variant = $number,)* }
+
+        impl $name {
+            /// All of them.
+            pub const ALL: &[$name] = &[$($name::$variant),*];
+
+            /// Names of its terms.
+            #[must_use]
+            pub fn terms(self) -> &'static [&'static str] {
+                match self { $($name::$variant => $terms,)* }
+            }
+
+            /// Its name in a scene.
+            #[must_use]
+            pub fn name(self) -> &'static str {
+                match self { $($name::$variant => stringify!($variant),)* }
+            }
+        }
+    };
+}
+
+choice! {
+    /// A smoothing kernel. All vanish at the support radius; `terms` names its value and its slope.
+    pub enum Kernel {
+        /// Mueller et al. 2003, eq. 20 (S0 eq. 2.44); its gradient vanishes for close pairs: a poor pressure kernel.
+        Poly6 = kernel::POLY6 => &["poly6_w", "poly6_slope"],
+        /// Mueller et al. 2003, eq. 21 (S0 eq. 2.45); also the near density's kernel of S4.
+        Spiky = kernel::SPIKY => &["spiky_w", "spiky_slope"],
+        /// Monaghan and Lattanzio 1985 (S0 eq. 2.43, S1 section 4.1), with the support radius as its 2 h.
+        CubicSpline = kernel::CUBIC_SPLINE => &["cubic_spline_w", "cubic_spline_slope"],
+        /// The Gaussian (S0 eq. 2.42; S4 table 1), cut off where it has fallen to e^-9.
+        Gaussian = kernel::GAUSSIAN => &["gaussian_w", "gaussian_slope"],
+        /// Lucy 1977 (S4 table 1).
+        Lucy = kernel::LUCY => &["lucy_w", "lucy_slope"],
+        /// Mueller et al. 2003, eq. 22 (S0 eq. 2.46). Infinite at no distance: not for densities.
+        Viscosity = kernel::VISCOSITY => &["viscosity_w", "viscosity_slope"],
+        /// Clavet et al. 2005: `(1 - q)^2`, the density kernel of S4's near pair.
+        Clavet = kernel::CLAVET => &["clavet_w", "clavet_slope"],
+        /// Wendland 1995, C2: particles do not pair (Dehnen and Aly 2012).
+        WendlandC2 = kernel::WENDLAND_C2 => &["wendland_c2_w", "wendland_c2_slope"],
+        /// Wendland 1995, C4: smoother, for more neighbours.
+        WendlandC4 = kernel::WENDLAND_C4 => &["wendland_c4_w", "wendland_c4_slope"],
+    }
+}
+
+choice! {
+    /// Where density comes from.
+    pub enum DensityForm {
+        /// `rho_a = sum m_b W_ab` (S0 eq. 2.10).
+        Summation = density::SUMMATION => &["density_neighbour"],
+        /// `d rho_a / dt = sum m_b (v_a - v_b) . grad W_ab`, stepped (S0 eq. 2.12; S3): no deficiency at a free surface.
+        Continuity = density::CONTINUITY => &["continuity_neighbour"],
+        /// `n_a = sum W_ab`, particles per volume (S4; S0 eq. 3.1).
+        NumberDensity = density::NUMBER_DENSITY => &["number_density_neighbour"],
+    }
+}
+
+choice! {
+    /// How pressure follows from density.
+    pub enum EquationOfState {
+        /// Monaghan 1994, exponent 7 (S0 eq. 2.15; S1 section 4.4; S3 with the corrected constant).
+        Tait = state::TAIT => &["pressure_tait"],
+        /// Desbrun and Cani 1996, linear (S0 eq. 2.14; S4's pseudo-pressure).
+        Desbrun = state::DESBRUN => &["pressure_desbrun"],
+        /// A gas at one temperature, `P = c0^2 rho` (S0 eq. 2.13).
+        IdealGas = state::IDEAL_GAS => &["pressure_ideal_gas"],
+        /// None: pressure is iterated until the predicted density fits ([`Correction`](super::Correction); S0 3.2.2).
+        PressureCorrection = state::PRESSURE_CORRECTION => &["pressure_correction"],
+    }
+}
+
+choice! {
+    /// How pressure becomes force: the forms of the gradient (S0 eqs. 2.4, 2.6, 2.7; S4 table 2).
+    pub enum PressureForce {
+        /// Mueller et al. 2003 (S0 eq. 2.19): cheap, and half of the gradient.
+        Mueller = pressure::MUELLER => &["pressure_mueller"],
+        /// Monaghan 1992 (S0 eq. 2.18), the symmetric gradient: with one kernel for density and gradient it conserves
+        /// energy.
+        Monaghan = pressure::MONAGHAN => &["pressure_monaghan"],
+        /// The canonical gradient (S0 eq. 2.17): the plainest, and it keeps no momentum.
+        Canonical = pressure::CANONICAL => &["pressure_canonical"],
+        /// The difference gradient (S0 eq. 2.6): zero for an even pressure, and it keeps no momentum.
+        Difference = pressure::DIFFERENCE => &["pressure_difference"],
+        /// The symmetric gradient on the number density (S4 table 2): needs [`DensityForm::NumberDensity`].
+        NumberDensity = pressure::NUMBER_DENSITY_FORCE => &["pressure_number_density"],
+    }
+}
+
+choice! {
+    /// What keeps particles from pairing.
+    pub enum NearPressure {
+        /// Nothing.
+        Off = near::NEAR_OFF => &[],
+        /// `P_near = k_near rho` with a narrower slope (S0 section 3.1 per errata).
+        Thesis = near::THESIS => &["near_pressure_thesis", "near_slope_thesis"],
+        /// `P_near = k_near rho_near` on a density of its own (S4 after Clavet et al. 2005).
+        Article = near::ARTICLE => &["near_density_neighbour", "near_slope_article"],
+    }
+}
+
+choice! {
+    /// How velocities diffuse.
+    pub enum Viscosity {
+        /// Mueller et al. 2003 (S0 eq. 2.24), by the Laplacian of the viscosity kernel.
+        Mueller = viscosity::MUELLER_VISCOSITY => &["viscosity_mueller"],
+        /// Morris et al. 1997 (S0 eq. 2.23 per errata), by its slope.
+        Morris = viscosity::MORRIS => &["viscosity_morris"],
+        /// Monaghan 1992's artificial viscosity (S0 eqs. 2.20 to 2.22 per errata): `fluid.alpha`, `fluid.beta`.
+        Artificial = viscosity::ARTIFICIAL => &["viscosity_artificial"],
+        /// S1's form (eq. 4.5 per errata), which keeps angular momentum.
+        Dotted = viscosity::DOTTED => &["viscosity_dotted"],
+        /// S4's exchange of velocity: `fluid.velocity_exchange`, a share a step.
+        Exchange = viscosity::EXCHANGE => &["exchange_neighbour"],
+    }
+}
+
+choice! {
+    /// What a particle of a wall does to the pressure of its neighbours.
+    pub enum WallPressure {
+        /// It answers with their own pressure (S1 algorithm 1); two layers.
+        Mirrored = wall::MIRRORED => &["wall_mirrored"],
+        /// It has density and pressure like the fluid (S0 section 3.5.3); three layers.
+        QuasiFluid = wall::QUASI_FLUID => &["wall_quasi_fluid"],
+    }
+}
+
+/// How kernels are evaluated (S0 section 4.2.3).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Evaluation {
+    /// By their formulas.
+    #[default]
+    Direct,
+    /// From tables over the distance, between entries along straight lines.
+    Table,
+    /// From tables over the squared distance, which spares the root.
+    SquaredTable,
+}
+
+/// How a pressure correction is iterated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Iteration {
+    /// Towards the density that the speed of sound allows, with a relaxation taken from the lattice; the pressure is kept
+    /// from step to step.
+    #[default]
+    Relaxed,
+    /// As printed (S0 eqs. 3.3 and 3.4 per errata): from no pressure, by the full stiffness. Refused where it cannot
+    /// converge.
+    Literal,
+}
 
 /// Dimension of space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,78 +184,6 @@ impl Dimension {
     }
 }
 
-/// A smoothing kernel with a finite value everywhere. All vanish at the support radius.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[repr(u32)]
-pub enum Kernel {
-    /// Mueller et al. 2003, eq. 20; its gradient vanishes for close pairs, so it makes a poor pressure kernel.
-    Poly6 = kernel::POLY6,
-    /// Mueller et al. 2003, eq. 21.
-    Spiky = kernel::SPIKY,
-    /// Monaghan and Lattanzio 1985, with the support radius as its 2 h.
-    CubicSpline = kernel::CUBIC_SPLINE,
-}
-
-impl Kernel {
-    /// All of them.
-    pub const ALL: [Kernel; 3] = [Kernel::Poly6, Kernel::Spiky, Kernel::CubicSpline];
-
-    /// Names of its terms: value and slope.
-    #[must_use]
-    pub fn terms(self) -> [&'static str; 2] {
-        match self {
-            Kernel::Poly6 => ["poly6_w", "poly6_slope"],
-            Kernel::Spiky => ["spiky_w", "spiky_slope"],
-            Kernel::CubicSpline => ["cubic_spline_w", "cubic_spline_slope"],
-        }
-    }
-}
-
-/// How pressure follows from density.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[repr(u32)]
-pub enum EquationOfState {
-    /// Monaghan 1994, exponent 7 (S0 eq. 2.15).
-    Tait = state::TAIT,
-    /// Desbrun and Cani 1996, linear (S0 eq. 2.14).
-    Desbrun = state::DESBRUN,
-}
-
-impl EquationOfState {
-    /// Name of its term.
-    #[must_use]
-    pub fn term(self) -> &'static str {
-        match self {
-            EquationOfState::Tait => "pressure_tait",
-            EquationOfState::Desbrun => "pressure_desbrun",
-        }
-    }
-}
-
-/// How pressure becomes force.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[repr(u32)]
-pub enum PressureForce {
-    /// Mueller et al. 2003 (S0 eq. 2.19): cheap, and half of the gradient.
-    Mueller = pressure::MUELLER,
-    /// Monaghan 1992 (S0 eq. 2.18): the whole gradient, and with one kernel for density and gradient it conserves energy.
-    Monaghan = pressure::MONAGHAN,
-}
-
-impl PressureForce {
-    /// Name of its term.
-    #[must_use]
-    pub fn term(self) -> &'static str {
-        match self {
-            PressureForce::Mueller => "pressure_mueller",
-            PressureForce::Monaghan => "pressure_monaghan",
-        }
-    }
-}
-
 /// How much of a bounce a wall gives back.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -106,7 +195,7 @@ pub enum Reflection {
     EnergyConserving = 1,
 }
 
-/// A face of the container.
+/// A face of a box, named as seen from inside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Face {
@@ -127,6 +216,18 @@ pub enum Face {
 impl Face {
     /// All of them, low and high along x, y, z.
     pub const ALL: [Face; 6] = [Face::Left, Face::Right, Face::Floor, Face::Ceiling, Face::Back, Face::Front];
+
+    /// 0, 1, 2 for x, y, z.
+    #[must_use]
+    pub fn axis(self) -> usize {
+        self as usize / 2
+    }
+
+    /// Is it the high one of its axis?
+    #[must_use]
+    pub fn is_high(self) -> bool {
+        self as usize % 2 == 1
+    }
 }
 
 /// How particles get into cells. Both give the same bits: inside a cell the order is always that of the ids.

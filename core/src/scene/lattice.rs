@@ -1,28 +1,48 @@
-//! Where particles are at the start: cell centres of a lattice, block after block, x fastest.
+//! Where particles are at the start: cell centres of a lattice, block after block, then wall after wall, x fastest.
+use super::walls::wall_places;
 use super::{Block, Dimension, Scene};
+use crate::guided::hydrostatic_deviation;
 
 /// One particle at the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
     /// Where, m.
     pub position: [f32; 3],
-    /// How fast, m/s.
+    /// How fast, m/s; of a wall's, how fast its surface slides.
     pub velocity: [f32; 3],
+    /// Which of the scene's kinds of particle ([`Parameters::species`](crate::layout::Parameters)).
+    pub species: u32,
+    /// Mass over the scene's particle mass.
+    pub mass: f32,
+    /// Density over the rest density, less one.
+    pub deviation: f32,
+    /// Pressure, Pa: where a pressure correction begins.
+    pub pressure: f32,
+}
+
+impl Place {
+    /// A particle of the fluid, at rest density.
+    #[must_use]
+    pub fn at(position: [f32; 3], velocity: [f32; 3]) -> Place {
+        Place { position, velocity, species: 0, mass: 1.0, deviation: 0.0, pressure: 0.0 }
+    }
 }
 
 /// Particles of a block along x, y, z. Each count is rounded before they are multiplied.
 pub(super) fn counts(block: &Block, scene: &Scene) -> [u64; 3] {
     let along = |axis: usize| {
-        if axis == 2 && scene.dimension == Dimension::Two {
-            return 1;
-        }
-        let count = f64::from(block.size[axis]) / f64::from(scene.particle_spacing);
-        if count > 0.0 { (count + 0.5) as u64 } else { 0 }
+        if axis == 2 && scene.dimension == Dimension::Two { 1 } else { whole(block.size[axis], scene) }
     };
     [along(0), along(1), along(2)]
 }
 
-/// Every particle of a scene that [`Scene::check`] accepts, in order of its id.
+/// A length in whole spacings.
+pub(super) fn whole(length: f32, scene: &Scene) -> u64 {
+    let count = f64::from(length) / f64::from(scene.particle_spacing);
+    if count > 0.0 { (count + 0.5) as u64 } else { 0 }
+}
+
+/// Every particle of a scene that [`Scene::check`] accepts, in order of its id: the fluid, then the walls.
 pub fn places(scene: &Scene) -> impl Iterator<Item = Place> {
     // a linear congruential generator (Numerical Recipes): any fixed sequence will do
     let mut seed = 1u32;
@@ -31,21 +51,29 @@ pub fn places(scene: &Scene) -> impl Iterator<Item = Place> {
         f64::from(seed >> 8) / f64::from(1u32 << 24) - 0.5
     };
     let spacing = f64::from(scene.particle_spacing);
-    scene.blocks.iter().flat_map(|block| indices(counts(block, scene)).map(move |index| (block, index))).map(
-        move |(block, index)| {
-            let mut position = [0.0; 3];
-            for axis in 0..scene.dimension.count() {
-                let centre = f64::from(block.corner[axis]) + (index[axis] as f64 + 0.5) * spacing;
-                let shift = if block.jitter > 0.0 { random() * f64::from(block.jitter) * spacing } else { 0.0 };
-                position[axis] = (centre + shift) as f32;
-            }
-            Place { position, velocity: block.velocity }
-        },
-    )
+    let blocks = scene.blocks.iter().enumerate();
+    let fluid = blocks.flat_map(|(i, block)| indices(counts(block, scene)).map(move |index| (i, block, index)));
+    let fluid = fluid.map(move |(i, block, index)| {
+        let mut position = [0.0; 3];
+        for axis in 0..scene.dimension.count() {
+            let centre = f64::from(block.corner[axis]) + (index[axis] as f64 + 0.5) * spacing;
+            let shift = if block.jitter > 0.0 { random() * f64::from(block.jitter) * spacing } else { 0.0 };
+            position[axis] = (centre + shift) as f32;
+        }
+        // kind 0 is the fluid, kind 1 + i a block of a viscosity of its own
+        let species = if block.dynamic_viscosity.is_some() { 1 + i as u32 } else { 0 };
+        let mut place = Place { species, ..Place::at(position, block.velocity) };
+        if scene.model.hydrostatic_start {
+            let (deviation, pressure) = hydrostatic_deviation(scene, position);
+            place = Place { mass: (1.0 + deviation) as f32, deviation: deviation as f32, pressure, ..place };
+        }
+        place
+    });
+    fluid.chain(wall_places(scene))
 }
 
 /// All triples below `counts`, the first one fastest.
-fn indices(counts: [u64; 3]) -> impl Iterator<Item = [u64; 3]> {
+pub(super) fn indices(counts: [u64; 3]) -> impl Iterator<Item = [u64; 3]> {
     let [nx, ny, nz] = counts;
     (0..nz).flat_map(move |z| (0..ny).flat_map(move |y| (0..nx).map(move |x| [x, y, z])))
 }

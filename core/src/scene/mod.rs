@@ -1,15 +1,25 @@
-//! What a scene is: a fluid, where it starts, what holds it, and which formulas move it.
+//! What a scene is: a fluid, where it starts, what holds it and drives it, and which formulas move it.
 //!
 //! A scene is plain data in SI units; [`Scene::check`] refuses what cannot run before anything is touched.
 mod check;
 mod choice;
+mod combinations;
+mod fluid;
 mod lattice;
+mod model;
+mod surroundings;
+mod walls;
 
 pub(crate) use check::check_count;
-pub use choice::{Dimension, EquationOfState, Face, GridStructure, Kernel, PressureForce, Reflection};
+pub use choice::{
+    DensityForm, Dimension, EquationOfState, Evaluation, Face, GridStructure, Iteration, Kernel, NearPressure,
+    PressureForce, Reflection, Viscosity, WallPressure,
+};
+pub use fluid::{Block, Fluid};
 pub use lattice::{Place, places};
+pub use model::{Correction, ModelChoice, SupportRange};
+pub use surroundings::{Container, FieldLattice, Grid, Periodic, WALLS, Wall, WallShape, Wind};
 
-use crate::layout::PLANES;
 use heapless::Vec;
 
 /// Blocks of fluid that a scene can have.
@@ -18,6 +28,7 @@ pub const BLOCKS: usize = 16;
 /// A fluid and all that decides how it moves.
 ///
 /// Lists have a fixed capacity ([`heapless::Vec`], re-exported as [`millpond_core::heapless`](crate::heapless)).
+/// [`Scene::of`] fills in the defaults, so that only what differs needs to be written.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Scene {
@@ -33,13 +44,28 @@ pub struct Scene {
     /// Acceleration that acts everywhere, m/s2 (default none).
     #[cfg_attr(feature = "serde", serde(default))]
     pub gravity: [f32; 3],
+    /// Density of what surrounds the fluid, kg/m3 (default 0): gravity then acts on the difference only (S4's body force).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub ambient_density: f32,
+    /// A wind, if any.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub wind: Option<Wind>,
+    /// A field of accelerations that the host gives, if any (S0 section 2.2.5).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub field: Option<FieldLattice>,
     /// What flows.
     pub fluid: Fluid,
     /// Where it is at the start.
     pub blocks: Vec<Block, BLOCKS>,
-    /// The box that holds it, if any.
+    /// The box that holds it, if any: planes that put particles back.
     #[cfg_attr(feature = "serde", serde(default))]
     pub container: Option<Container>,
+    /// Walls made of particles.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub walls: Vec<Wall, WALLS>,
+    /// Directions that wrap around, if any.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub periodic: Option<Periodic>,
     /// Which formulas are used.
     #[cfg_attr(feature = "serde", serde(default))]
     pub model: ModelChoice,
@@ -48,115 +74,84 @@ pub struct Scene {
     pub grid: Grid,
 }
 
+const AVERAGE_NEIGHBOURS: f32 = 32.0;
+
 #[cfg(feature = "serde")]
 fn default_average_neighbours() -> f32 {
-    32.0
+    AVERAGE_NEIGHBOURS
 }
 
-/// Properties of a fluid (S0 section 4.1.4).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
-pub struct Fluid {
-    /// Density at rest, kg/m3.
-    pub rest_density: f32,
-    /// Speed of sound, m/s; about ten times the fastest flow keeps the density within 1 %.
-    pub speed_of_sound: f32,
-    /// Dynamic viscosity, Pa s (default 0: none).
-    #[cfg_attr(feature = "serde", serde(default))]
-    pub dynamic_viscosity: f32,
-    /// Near pressure over density, m2/s2 (default 0.1 c0^2, our choice: with c0^2 a liquid becomes a gas). Acts where
-    /// [`ModelChoice::near_pressure`] is on.
-    #[cfg_attr(feature = "serde", serde(default))]
-    pub near_stiffness: Option<f32>,
-}
-
-/// A box of fluid on a lattice of cell centres (S0's instant cube).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
-pub struct Block {
-    /// Lowest corner, m.
-    pub corner: [f32; 3],
-    /// Extent, m; rounded to whole particles along each axis. In 2D its z is ignored.
-    pub size: [f32; 3],
-    /// Velocity at the start, m/s (default at rest).
-    #[cfg_attr(feature = "serde", serde(default))]
-    pub velocity: [f32; 3],
-    /// Random displacement at the start, in spacings (default 0; the seed is fixed, so it is always the same one).
-    #[cfg_attr(feature = "serde", serde(default))]
-    pub jitter: f32,
-}
-
-/// A box with penalty walls (S0 section 3.5.1).
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
-pub struct Container {
-    /// Lowest corner, m.
-    pub low: [f32; 3],
-    /// Highest corner, m.
-    pub high: [f32; 3],
-    /// Share of the normal velocity that a wall gives back, 0 to 1 (default 0).
-    #[cfg_attr(feature = "serde", serde(default))]
-    pub bounce: f32,
-    /// Share of the tangential velocity that a wall leaves, 0 (no slip) to 1 (default 1).
-    #[cfg_attr(feature = "serde", serde(default = "default_slip"))]
-    pub slip: f32,
-    /// How much of a bounce is given back (default energy conserving).
-    #[cfg_attr(feature = "serde", serde(default))]
-    pub reflection: Reflection,
-    /// Faces that are not there, such as a lid (S0's direction control; default none missing).
-    #[cfg_attr(feature = "serde", serde(default))]
-    pub open: Vec<Face, PLANES>,
-}
-
-#[cfg(feature = "serde")]
-fn default_slip() -> f32 {
-    1.0
-}
-
-/// Which formula each term uses. The defaults are S0's (section 4.1.2).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
-pub struct ModelChoice {
-    /// Kernel of the density sum.
-    pub density_kernel: Kernel,
-    /// Kernel of the pressure gradient.
-    pub pressure_kernel: Kernel,
-    /// Pressure to force.
-    pub pressure_force: PressureForce,
-    /// Density to pressure.
-    pub equation_of_state: EquationOfState,
-    /// May pressure be negative? Suction holds a free cloud together, and lets particles pair without near pressure.
-    pub suction: bool,
-    /// Near pressure, which keeps particles from pairing (S0 section 3.1).
-    pub near_pressure: bool,
-}
-
-impl Default for ModelChoice {
-    fn default() -> Self {
-        ModelChoice {
-            density_kernel: Kernel::Poly6,
-            pressure_kernel: Kernel::Spiky,
-            pressure_force: PressureForce::Mueller,
-            equation_of_state: EquationOfState::Tait,
-            suction: true,
-            near_pressure: true,
+impl Scene {
+    /// A scene of one block with everything else at its default: no gravity, no walls, the thesis' choices of formulas.
+    #[must_use]
+    pub fn of(dimension: Dimension, particle_spacing: f32, time_step: f32, fluid: Fluid, block: Block) -> Scene {
+        Scene {
+            dimension,
+            particle_spacing,
+            average_neighbours: AVERAGE_NEIGHBOURS,
+            time_step,
+            gravity: [0.0; 3],
+            ambient_density: 0.0,
+            wind: None,
+            field: None,
+            fluid,
+            blocks: [block].into_iter().collect(),
+            container: None,
+            walls: Vec::new(),
+            periodic: None,
+            model: ModelChoice::default(),
+            grid: Grid::default(),
         }
     }
-}
 
-/// The cells that neighbours are looked up in. They wrap, so the simulated volume is unbounded.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
-pub struct Grid {
-    /// Cells along x, y, z (default 32 each, S0 section 4.2.2). At least 3; in 2D the one along z is ignored. Too few and far
-    /// particles share cells, which costs time and never a bit.
-    pub cells: [u32; 3],
-    /// How particles get into cells.
-    pub structure: GridStructure,
-}
+    /// Axes that wrap around.
+    pub(crate) fn periodic_axes(&self) -> impl Iterator<Item = usize> + use<> {
+        let axes = self.periodic.map_or([false; 3], |periodic| periodic.axes);
+        (0..self.dimension.count()).filter(move |&axis| axes[axis])
+    }
 
-impl Default for Grid {
-    fn default() -> Self {
-        Grid { cells: [32, 32, 32], structure: GridStructure::IndexSort }
+    /// Is this face of the container there? Not where the scene leaves it open, nor along a periodic axis, nor across the
+    /// plane in 2D.
+    pub(crate) fn is_closed(&self, container: &Container, face: Face) -> bool {
+        let axis = face.axis();
+        axis < self.dimension.count() && !container.open.contains(&face) && !self.periodic_axes().any(|round| round == axis)
+    }
+
+    /// Cells along x, y, z: those of `grid`, along a periodic axis as many as fit, and in 2D one along z.
+    #[must_use]
+    pub fn cells(&self) -> [u32; 3] {
+        let mut cells = self.grid.cells;
+        for axis in self.periodic_axes() {
+            if let Some(periodic) = &self.periodic {
+                let length = f64::from(periodic.high[axis]) - f64::from(periodic.low[axis]);
+                cells[axis] = crate::guided::periodic_cells(self, length);
+            }
+        }
+        if self.dimension == Dimension::Two {
+            cells[2] = 1;
+        }
+        cells
+    }
+
+    /// Nodes of the host's field along x, y, z, and in all.
+    #[must_use]
+    pub fn field_counts(&self) -> [u32; 4] {
+        let Some(FieldLattice { counts: [x, y, z], .. }) = self.field else { return [0; 4] };
+        let z = if self.dimension == Dimension::Two { 1 } else { z };
+        [x, y, z, x.saturating_mul(y).saturating_mul(z)]
+    }
+
+    /// Particles of the fluid of a scene that [`Scene::check`] accepts: their ids come first.
+    #[must_use]
+    pub fn fluid_count(&self) -> usize {
+        let count = |block| lattice::counts(block, self).iter().product::<u64>();
+        self.blocks.iter().map(count).sum::<u64>() as usize
+    }
+
+    /// Particles of a scene that [`Scene::check`] accepts, those of walls too.
+    #[must_use]
+    pub fn particle_count(&self) -> usize {
+        let walls: u64 = self.walls.iter().map(|wall| walls::wall_count(wall, self)).sum();
+        self.fluid_count() + walls as usize
     }
 }

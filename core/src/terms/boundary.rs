@@ -1,6 +1,7 @@
 //! Penalty walls (S0 section 3.5.1). A wall is a plane `n . x = offset` with its normal n towards the fluid; a particle
 //! found behind it is put back and its velocity reflected.
 use super::geometry::*;
+use super::wall::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters};
 
@@ -8,6 +9,15 @@ use crate::layout::{Model, Parameters};
 #[inline(always)]
 pub fn depth_behind<R: Real>(position: vec3<R>, normal: vec3<R>, offset: R) -> R {
     return offset - dot3(position, normal);
+}
+
+/// The same for a particle of the fluid; one of a wall stands where it stands.
+#[inline(always)]
+pub fn depth_if_free<R: Real>(m: &Model, depth: R, wall: R) -> R {
+    if m.wall_particles == NO_WALLS {
+        return depth;
+    }
+    return select(depth, real(0.0), less(real(0.0), wall));
 }
 
 /// The particle, put back on the plane along the normal where it stands behind (S0 figure 3.7).

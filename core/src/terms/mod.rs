@@ -4,25 +4,46 @@
 //! the two languages share: functions, `let`, `if`, `return`, `+ - *`, the words of
 //! [`real`](crate::arithmetic::real), `vec3`, plain structs and `u32` constants. Literals stand on the right of an
 //! operator, a literal 0 is never an operand of `+ - *`, attributes take one line. A function that reads the scene's
-//! constants takes `m: &Model, p: &Parameters` first; in WGSL these two are global and the filter drops them.
+//! constants takes `m: &Model`, `p: &Parameters`, `t: &Tables` first, in this order; in WGSL these are global and the filter
+//! drops them.
 //!
 //! Accelerations are sums of force densities (N/m3) divided by the density of the receiving particle.
 #![allow(clippy::needless_return, reason = "WGSL has no tail expressions")]
+#![allow(clippy::too_many_arguments, reason = "WGSL has no tuples, and no constructors that Rust would take")]
 
-pub mod boundary;
-pub mod density;
-pub mod geometry;
-pub mod integrate;
-pub mod kernel;
-pub mod neighbour;
-pub mod pressure;
-pub mod state;
-pub mod viscosity;
-
+/// Name and text of each term of a folder, for backends that compile them themselves.
 macro_rules! texts {
-    ($($name:literal),*) => { &[$(($name, include_str!(concat!($name, ".rs")))),*] };
+    ($($name:ident)*) => {
+        /// Name and text of each term of this folder.
+        pub const TEXTS: &[(&str, &str)] = &[$((stringify!($name), include_str!(concat!(stringify!($name), ".rs")))),*];
+    };
 }
 
-/// Name and text of every term, for backends that compile it themselves.
-pub const TEXTS: &[(&str, &str)] =
-    texts!("geometry", "kernel", "density", "state", "pressure", "viscosity", "neighbour", "integrate", "boundary");
+pub mod boundary;
+pub mod correction;
+pub mod density;
+pub mod exchange;
+pub mod external;
+pub mod geometry;
+pub mod heat;
+pub mod integrate;
+pub mod kernel;
+pub mod near;
+pub mod neighbour;
+pub mod pair;
+pub mod pressure;
+pub mod state;
+pub mod support;
+pub mod table;
+pub mod viscosity;
+pub mod wall;
+pub mod xsph;
+
+texts!(boundary correction density exchange external geometry heat integrate near neighbour pair pressure state support
+    table viscosity wall xsph);
+
+/// All texts, in any order: WGSL does not mind.
+pub fn texts() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let kernel = [("kernel", include_str!("kernel/mod.rs"))];
+    kernel.into_iter().chain(kernel::TEXTS.iter().copied()).chain(TEXTS.iter().copied())
+}

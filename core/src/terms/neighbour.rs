@@ -1,65 +1,90 @@
 //! What one neighbour adds to the force on a particle, and what closes that sum.
-use super::geometry::*;
 use super::kernel::*;
+use super::near::*;
+use super::pair::*;
 use super::pressure::*;
+use super::state::*;
+use super::table::*;
 use super::viscosity::*;
+use super::wall::*;
 use crate::arithmetic::real::*;
-use crate::layout::{Model, Parameters};
+use crate::layout::{Model, Parameters, Tables};
 
-/// What the pair terms know of a particle.
-#[derive(Clone, Copy)]
-pub struct Local<R> {
-    /// Where it is, m.
-    pub position: vec3<R>,
-    /// How fast it is, m/s.
-    pub velocity: vec3<R>,
-    /// Pressure, Pa.
-    pub pressure: R,
-    /// Near pressure, Pa.
-    pub near_pressure: R,
-    /// Volume it stands for, m3 (m2 in 2D).
-    pub volume: R,
+/// Pressure as the factor of `x_ab / r` in the force density on `a`, N/m3.
+#[inline(always)]
+pub fn push_of_pressure<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>, q: R, scale: R) -> R {
+    let slope = slope_scaled(m, pressure_slope(m, t, q), scale) * p.pressure_constant;
+    let pressure_b = wall_mirrored(m, a.pressure, b.pressure, b.wall);
+    return pressure_pair(m, a, pressure_b, neighbour_volume(m, a, b), b.mass, slope);
 }
 
-/// Pressure and near pressure as the factor of `x_ab / r` in the force density on `a`, N/m3.
+/// Near pressure, likewise, N/m3.
 #[inline(always)]
-pub fn pressure_neighbour<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>, q: R) -> R {
-    let slope = kernel_slope(m.pressure_kernel, q) * p.pressure_constant;
-    let push = pressure_pair(m, a.pressure, b.pressure, a.volume, b.volume, slope);
-    if m.near_pressure == 0 {
+pub fn push_of_near_pressure<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>, q: R, scale: R) -> R {
+    if m.near_pressure == NEAR_OFF {
+        return real(0.0);
+    }
+    let slope = slope_scaled(m, near_slope(m, q), scale) * p.near_constant;
+    let pressure_b = wall_mirrored(m, a.near_pressure, b.near_pressure, b.wall);
+    return pressure_mueller(a.near_pressure, pressure_b, neighbour_volume(m, a, b), slope);
+}
+
+/// Both, likewise; a correction of pressure comes later, in passes of its own.
+#[inline(always)]
+pub fn push_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>, q: R, scale: R) -> R {
+    if m.equation_of_state == PRESSURE_CORRECTION {
+        return push_of_near_pressure(m, p, a, b, q, scale);
+    }
+    let push = push_of_pressure(m, p, t, a, b, q, scale);
+    if m.near_pressure == NEAR_OFF {
         return push;
     }
-    let near = near_slope(q) * p.near_constant;
-    return push + pressure_mueller(a.near_pressure, b.near_pressure, b.volume, near);
+    return push + push_of_near_pressure(m, p, a, b, q, scale);
+}
+
+/// From the factor of `x_ab / r` to that of `x_ab`, exactly 0 for who is no neighbour: where a pressure is infinite, a zero
+/// slope alone would not keep it out.
+#[inline(always)]
+pub fn along_pair<R: Real>(p: &Parameters, push: R, q: R, scale: R) -> R {
+    return if_inside(q, over_distance(push * scale * p.inverse_support, q));
+}
+
+/// Force density by which pressure alone acts on `a`, N/m3.
+#[inline(always)]
+pub fn pressure_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>) -> vec3<R> {
+    let x_ab = separation(m, p, a.position, b.position);
+    let scale = pair_scale(m, a.support, b.support);
+    let q = root(squared_ratio(m, p, x_ab, scale));
+    return x_ab * along_pair(p, push_of_pressure(m, p, t, a, b, q, scale), q, scale);
+}
+
+/// Force density by which viscosity acts on `a`, N/m3, exactly 0 for who is no neighbour.
+#[inline(always)]
+pub fn drag_of_pair<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>, x_ab: vec3<R>, q: R, scale: R) -> vec3<R> {
+    let drag = viscosity_pair(m, p, t, a, b, x_ab, q, scale);
+    return vec3(if_inside(q, drag.x), if_inside(q, drag.y), if_inside(q, drag.z));
 }
 
 /// Force density that `b` exerts on `a`, N/m3: pressure, then viscosity.
 #[inline(always)]
-pub fn force_neighbour<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>) -> vec3<R> {
-    let x_ab = a.position - b.position;
+pub fn force_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>) -> vec3<R> {
+    let x_ab = separation(m, p, a.position, b.position);
+    let scale = pair_scale(m, a.support, b.support);
     // from the same q^2 by which the loops tell neighbours, so that who is not one adds exact zeros
-    let q = root(length2(x_ab) * p.inverse_support_squared);
-    let one: R = real(1.0);
-    // two particles at one place have no direction: they do not push each other
-    let inverse_r = select(real(0.0), div(real(p.inverse_support), q), less(real(0.0), q));
-    let push = pressure_neighbour(m, p, a, b, q) * inverse_r;
-    // where a pressure is infinite, a zero slope alone would not keep it out
-    let pushed = x_ab * select(real(0.0), push, less(q, one));
-    if m.viscosity == 0 {
+    let q = root(squared_ratio(m, p, x_ab, scale));
+    let pushed = x_ab * along_pair(p, push_neighbour(m, p, t, a, b, q, scale), q, scale);
+    if m.viscosity == NO_VISCOSITY {
         return pushed;
     }
-    let laplacian = viscosity_laplacian(q) * p.viscosity_constant;
-    let drag = viscosity_mueller(real(p.dynamic_viscosity), b.volume, laplacian);
-    return pushed + (a.velocity - b.velocity) * select(real(0.0), drag, less(q, one));
+    if m.viscosity == EXCHANGE {
+        return pushed;
+    }
+    return pushed + drag_of_pair(m, p, t, a, b, x_ab, q, scale);
 }
 
-/// Acceleration of `a` (S0 eq. 2.8): the summed force density over its density, and gravity, m/s2.
+/// Acceleration of `a` (S0 eq. 2.8): the summed force density over its density, m/s2.
 #[inline(always)]
-pub fn acceleration_close<R: Real>(m: &Model, force: vec3<R>, density: R, gravity: vec3<R>) -> vec3<R> {
+pub fn acceleration_close<R: Real>(p: &Parameters, force: vec3<R>, deviation: R) -> vec3<R> {
     let one: R = real(1.0);
-    let driven = force * div(one, density);
-    if m.gravity == 0 {
-        return flush3(driven);
-    }
-    return flush3(driven + gravity);
+    return force * div(one, (deviation + 1.0) * p.rest_density);
 }

@@ -1,12 +1,19 @@
-//! Pressure, as the factor of `x_ab / r` in the force density on `a`. With `-dW/dr = constant * slope` it points away
-//! from `b` where the pressures are positive.
+//! Pressure, as the factor of `x_ab / r` in the force density on `a`: the forms of the gradient (S0 eqs. 2.4, 2.6, 2.7; S4
+//! table 2). With `-dW/dr = constant * slope` it points away from `b` where the pressures are positive.
+use super::pair::*;
 use crate::arithmetic::real::*;
 use crate::layout::Model;
 
 /// Mueller et al. 2003 (S0 eq. 2.19).
 pub const MUELLER: u32 = 0;
-/// Monaghan 1992 (S0 eq. 2.18).
+/// Monaghan 1992 (S0 eq. 2.18), symmetric.
 pub const MONAGHAN: u32 = 1;
+/// Canonical (S0 eqs. 2.4, 2.17).
+pub const CANONICAL: u32 = 2;
+/// Difference (S0 eq. 2.6).
+pub const DIFFERENCE: u32 = 3;
+/// Symmetric on the number density (S4).
+pub const NUMBER_DENSITY_FORCE: u32 = 4;
 
 /// Mueller et al. 2003, eq. 10: `f_a = -sum V_b (P_a + P_b) / 2 grad W` (S0 eq. 2.19).
 ///
@@ -17,21 +24,58 @@ pub fn pressure_mueller<R: Real>(pressure_a: R, pressure_b: R, volume_b: R, slop
     return (pressure_a + pressure_b) * 0.5 * volume_b * slope;
 }
 
-/// Monaghan 1992, eq. 3.1: `f_a = -rho_a sum m_b (P_a / rho_a^2 + P_b / rho_b^2) grad W` (S0 eq. 2.18), for particles of
-/// one mass and so with the volumes `V = m / rho`: `f_a = -sum (P_a V_a^2 + P_b V_b^2) / V_a grad W`.
+/// `f_a = -sum V_b P_b grad W` (S0 eq. 2.17).
 #[inline(always)]
-pub fn pressure_monaghan<R: Real>(pressure_a: R, pressure_b: R, volume_a: R, volume_b: R, slope: R) -> R {
-    let one: R = real(1.0);
-    // the ratio, since the square of a volume is soon too small for f32
-    let ratio = volume_b * div(one, volume_a);
-    return (pressure_a * volume_a + pressure_b * volume_b * ratio) * slope;
+pub fn pressure_canonical<R: Real>(pressure_b: R, volume_b: R, slope: R) -> R {
+    return pressure_b * volume_b * slope;
 }
 
-/// The chosen form.
+/// `f_a = -1 / rho_a sum m_b (P_b - P_a) grad W` (S0 eq. 2.6), with `m_b / rho_a = V_a m_b / m_a`.
 #[inline(always)]
-pub fn pressure_pair<R: Real>(m: &Model, pressure_a: R, pressure_b: R, volume_a: R, volume_b: R, slope: R) -> R {
-    if m.pressure_force == MUELLER {
-        return pressure_mueller(pressure_a, pressure_b, volume_b, slope);
+pub fn pressure_difference<R: Real>(m: &Model, a: Local<R>, pressure_b: R, mass_b: R, slope: R) -> R {
+    let push = (pressure_b - a.pressure) * a.volume * slope;
+    if m.masses == 0 {
+        return push;
     }
-    return pressure_monaghan(pressure_a, pressure_b, volume_a, volume_b, slope);
+    return push * div(mass_b, a.mass);
+}
+
+/// `f_a = -n_a sum (P_a / n_a^2 + P_b / n_b^2) grad W` (S4 table 2), n = 1 / V.
+#[inline(always)]
+pub fn pressure_number_density<R: Real>(a: Local<R>, pressure_b: R, volume_b: R, slope: R) -> R {
+    let one: R = real(1.0);
+    // the ratio, since the square of a volume is soon too small for f32
+    let ratio = volume_b * div(one, a.volume);
+    return (a.pressure * a.volume + pressure_b * volume_b * ratio) * slope;
+}
+
+/// Monaghan 1992, eq. 3.1: `f_a = -rho_a sum m_b (P_a / rho_a^2 + P_b / rho_b^2) grad W` (S0 eq. 2.18), with `V = m / rho`:
+/// `f_a = -sum (P_a V_a^2 m_b / m_a + P_b V_b^2 m_a / m_b) / V_a grad W`.
+#[inline(always)]
+pub fn pressure_monaghan<R: Real>(m: &Model, a: Local<R>, pressure_b: R, volume_b: R, mass_b: R, slope: R) -> R {
+    if m.masses == 0 {
+        return pressure_number_density(a, pressure_b, volume_b, slope);
+    }
+    let one: R = real(1.0);
+    let masses = div(mass_b, a.mass);
+    let ratio = volume_b * div(one, a.volume * masses);
+    return (a.pressure * a.volume * masses + pressure_b * volume_b * ratio) * slope;
+}
+
+/// The chosen form, between `a` and what stands for `b`.
+#[inline(always)]
+pub fn pressure_pair<R: Real>(m: &Model, a: Local<R>, pressure_b: R, volume_b: R, mass_b: R, slope: R) -> R {
+    if m.pressure_force == MUELLER {
+        return pressure_mueller(a.pressure, pressure_b, volume_b, slope);
+    }
+    if m.pressure_force == MONAGHAN {
+        return pressure_monaghan(m, a, pressure_b, volume_b, mass_b, slope);
+    }
+    if m.pressure_force == CANONICAL {
+        return pressure_canonical(pressure_b, volume_b, slope);
+    }
+    if m.pressure_force == DIFFERENCE {
+        return pressure_difference(m, a, pressure_b, mass_b, slope);
+    }
+    return pressure_number_density(a, pressure_b, volume_b, slope);
 }

@@ -1,8 +1,96 @@
-//! Viscosity, as the factor of `v_ab` in the force density on `a`.
+//! Viscosity, as the factor of `v_ab` in the force density on `a`, or of `x_ab` where it acts along the line of a pair.
+use super::geometry::*;
+use super::pair::*;
+use super::state::*;
+use super::table::*;
+use super::wall::*;
 use crate::arithmetic::real::*;
+use crate::layout::{Model, Parameters, Tables};
+
+/// None.
+pub const NO_VISCOSITY: u32 = 0;
+/// Mueller et al. 2003 (S0 eq. 2.24).
+pub const MUELLER_VISCOSITY: u32 = LAPLACIAN_VISCOSITY;
+/// Morris et al. 1997 (S0 eq. 2.23 per errata).
+pub const MORRIS: u32 = 2;
+/// Monaghan 1992 (S0 eqs. 2.20 to 2.22 per errata).
+pub const ARTIFICIAL: u32 = 3;
+/// S1 eq. 4.5 per errata.
+pub const DOTTED: u32 = 4;
+/// S4: see [`exchange`](super::exchange).
+pub const EXCHANGE: u32 = 5;
 
 /// Mueller et al. 2003, eq. 14: `f_a = mu sum V_b (v_b - v_a) laplacian W` (S0 eq. 2.24). The sign is in `v_ab`'s.
 #[inline(always)]
-pub fn viscosity_mueller<R: Real>(dynamic_viscosity: R, volume_b: R, laplacian: R) -> R {
-    return -(dynamic_viscosity * volume_b * laplacian);
+pub fn viscosity_mueller<R: Real>(viscosity: R, volume_b: R, laplacian: R) -> R {
+    return -(viscosity * volume_b * laplacian);
+}
+
+/// Morris et al. 1997, eq. 22: `f_a = sum V_b (mu_a + mu_b) (x_ab . grad W) / (r^2 + 0.01 h^2) v_ab` (S0 eq. 2.23), here
+/// with the mean viscosity; `inverse_square` is `1 / (r^2 + 0.01 h^2)` and `x_ab . grad W = -r slope`.
+#[inline(always)]
+pub fn viscosity_morris<R: Real>(viscosity: R, volume_b: R, r: R, slope: R, inverse_square: R) -> R {
+    return -(viscosity * 2.0 * volume_b * slope * r * inverse_square);
+}
+
+/// The factor of `grad W` in `f_a = 2 (d + 2) mu sum V_b (v_ab . x_ab) / (r^2 + 0.01 h^2) grad W` (S1 eq. 4.5 per errata):
+/// it acts along the line of a pair and so keeps angular momentum.
+#[inline(always)]
+pub fn viscosity_dotted<R: Real>(p: &Parameters, viscosity: R, volume_b: R, approach: R, inverse_square: R) -> R {
+    return viscosity * volume_b * approach * inverse_square * p.dotted_factor;
+}
+
+/// `rho_a m_b Pi_ab`, the factor of `-grad W` (S0 eqs. 2.20 to 2.22): `Pi = (-alpha c mu + beta mu^2) / rho`, means of the pair,
+/// `mu = H v_ab . x_ab / (r^2 + 0.01 h^2)`, only where two particles approach each other. `weight` is `rho_a m_b / rho`.
+#[inline(always)]
+pub fn viscosity_artificial<R: Real>(p: &Parameters, weight: R, sound: R, approach: R, inverse_square: R) -> R {
+    let closing = smaller(approach, real(0.0));
+    let mu = closing * inverse_square * p.support;
+    return (mu * mu * p.beta - mu * sound * p.alpha) * weight;
+}
+
+/// `rho_a m_b / ((rho_a + rho_b) / 2)`, kg/m3 times m3.
+#[inline(always)]
+pub fn mean_density_weight<R: Real>(p: &Parameters, a: Local<R>, b: Local<R>) -> R {
+    let both = a.deviation + b.deviation + 2.0;
+    return div((a.deviation + 1.0) * b.mass * p.particle_mass * 2.0, both);
+}
+
+/// Force density of the chosen viscosity that `b` exerts on `a`, N/m3.
+#[inline(always)]
+pub fn viscosity_pair<R: Real>(
+    m: &Model,
+    p: &Parameters,
+    t: &Tables,
+    a: Local<R>,
+    b: Local<R>,
+    x_ab: vec3<R>,
+    q: R,
+    scale: R,
+) -> vec3<R> {
+    // the fluid's velocity goes on behind a wall as it came, turned about the wall's: that makes the wall the place of no slip
+    let v_ab = (a.velocity - b.velocity) * (b.wall + 1.0);
+    let volume_b = neighbour_volume(m, a, b);
+    let kernel = viscous_kernel(m, t, q);
+    if m.viscosity == MUELLER_VISCOSITY {
+        let laplacian = laplacian_scaled(m, kernel, scale) * p.viscosity_laplacian_constant;
+        return v_ab * viscosity_mueller(pair_viscosity(m, a, b), volume_b, laplacian);
+    }
+    let one: R = real(1.0);
+    let r2 = length2(x_ab);
+    let inverse_square = div(one, r2 + p.softening);
+    let slope = slope_scaled(m, kernel, scale) * p.viscosity_slope_constant;
+    if m.viscosity == MORRIS {
+        return v_ab * viscosity_morris(pair_viscosity(m, a, b), volume_b, root(r2), slope, inverse_square);
+    }
+    let approach = dot3(v_ab, x_ab);
+    // grad W = -slope x_ab / r, r = q H_ab
+    let fall = over_distance(slope * scale * p.inverse_support, q);
+    if m.viscosity == DOTTED {
+        let along = viscosity_dotted(p, pair_viscosity(m, a, b), volume_b, approach, inverse_square);
+        return x_ab * -(along * fall);
+    }
+    let mean_sound = (sound_of_state(m, p, a.deviation) + sound_of_state(m, p, b.deviation)) * 0.5;
+    let along = viscosity_artificial(p, mean_density_weight(p, a, b), mean_sound, approach, inverse_square);
+    return x_ab * (along * fall);
 }

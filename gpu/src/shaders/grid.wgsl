@@ -9,11 +9,11 @@ fn cell_index(c: vec3<i32>) -> u32 {
 }
 
 // The cell before wrapping; only for positions in range.
-fn cell_of(x: vec3<f32>) -> vec3<i32> { return vec3<i32>(floor(x * p.inverse_cell)); }
+fn cell_of(x: vec3<f32>) -> vec3<i32> { return vec3<i32>(floor((x - p.domain_low.xyz) * p.inverse_cell.xyz)); }
 
 // First axis along which a position lies beyond the range, 3 where none does. NaN compares false, so it is beyond.
 fn axis_out_of_range(x: vec3<f32>) -> u32 {
-  let scaled = abs(x * p.inverse_cell);
+  let scaled = abs((x - p.domain_low.xyz) * p.inverse_cell.xyz);
   if !(scaled.x < FARTHEST_CELL) { return 0u; }
   if !(scaled.y < FARTHEST_CELL) { return 1u; }
   if !(scaled.z < FARTHEST_CELL) { return 2u; }

@@ -1,5 +1,14 @@
-// Particles of each cell. Who gets which rank is a race; p06_order undoes it. The counters were cleared before.
+// The cell that each particle comes to, and particles of each cell. Who gets which rank is a race; p06_order undoes it. The
+// counters were cleared before.
 fn pass_body(a: u32) {
   if a >= p.particle_count || atomicLoad(&head.status.failed) != 0u { return; }
-  rank[a] = atomicAdd(&head.counter[cell[a]], 1u);
+  let x = new_density_pressure[a].xyz;
+  let axis = axis_out_of_range(x);
+  if axis < 3u {
+    atomicMin(&head.status.out_of_range, 4u * old_id[a] + axis);
+    return;
+  }
+  let own = cell_index(cell_of(x));
+  cell[a] = own;
+  rank[a] = atomicAdd(&head.counter[own], 1u);
 }

@@ -1,22 +1,13 @@
 //! What `tests/bare` steps, and `tests/core_stands_alone.rs` beside it.
-use millpond_core::scene::{Block, Container, Dimension, Fluid, Grid, ModelChoice, Reflection, Scene};
+use millpond_core::scene::{Block, Container, Dimension, Fluid, Grid, Scene};
 
 /// A thousand particles in the corner of a box.
 pub fn scene() -> Scene {
-    let block = Block { corner: [0.0; 3], size: [0.5; 3], velocity: [0.0; 3], jitter: 0.02 };
-    let (low, high) = ([0.0; 3], [1.0, 1.0, 0.5]);
-    let reflection = Reflection::EnergyConserving;
-    let container = Container { low, high, bounce: 0.5, slip: 0.9, reflection, open: [].into_iter().collect() };
-    Scene {
-        dimension: Dimension::Three,
-        particle_spacing: 0.05,
-        average_neighbours: 32.0,
-        time_step: 0.001,
-        gravity: [0.0, -9.81, 0.0],
-        fluid: Fluid { rest_density: 1000.0, speed_of_sound: 20.0, dynamic_viscosity: 2.0, near_stiffness: None },
-        blocks: [block].into_iter().collect(),
-        container: Some(container),
-        model: ModelChoice::default(),
-        grid: Grid { cells: [8, 8, 8], ..Grid::default() },
-    }
+    let water = Fluid { speed_of_sound: 20.0, dynamic_viscosity: 2.0, ..Fluid::default() };
+    let block = Block { size: [0.5; 3], jitter: 0.02, ..Block::default() };
+    let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, water, block);
+    scene.gravity = [0.0, -9.81, 0.0];
+    scene.container = Some(Container { bounce: 0.5, slip: 0.9, ..Container::closed([0.0; 3], [1.0, 1.0, 0.5]) });
+    scene.grid = Grid { cells: [8, 8, 8], ..Grid::default() };
+    scene
 }

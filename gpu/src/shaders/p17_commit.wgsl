@@ -8,5 +8,9 @@ fn pass_body(thread: u32) {
     atomicStore(&head.status.failed, 1u);
   } else {
     atomicAdd(&head.status.steps, 1u);
+    let iterations = atomicExchange(&head.status.iterations, 0u);
+    atomicStore(&head.status.last_iterations, iterations);
+    atomicAdd(&head.status.total_iterations, iterations);
+    atomicStore(&head.status.settled, 0u);
   }
 }

@@ -1,0 +1,34 @@
+//! The host's field of accelerations at a position: linear between the nodes around it, no node outside the lattice.
+use super::Setup;
+use crate::arithmetic::real::{Real, floor, larger, real, smaller, vec3};
+use crate::terms::external::{field_place, field_share};
+
+/// The field where particles are, m/s2.
+#[inline(always)]
+pub(super) fn at<R: Real>(setup: &Setup<'_>, position: vec3<R>) -> vec3<R> {
+    let (m, p) = (setup.model, setup.parameters);
+    let place = field_place(p, position);
+    // beyond the lattice one node is as absent as another
+    let least = |x: R, nodes: u32| smaller(larger(floor(x), real(-2.0)), real(nodes as f32));
+    let [nx, ny, nz, _] = p.field_counts;
+    let first = vec3(least(place.x, nx), least(place.y, ny), least(place.z, if m.layers == 1 { nz } else { 0 }));
+    let mut sum = vec3(real::<R>(0.0), real(0.0), real(0.0));
+    for i in 0..4 << m.layers {
+        let corner = [i & 1, i >> 1 & 1, i >> 2].map(|c: u32| c as f32);
+        let node = vec3(first.x + corner[0], first.y + corner[1], first.z + corner[2]);
+        let value = |axis: usize| {
+            R::from_lanes(|lane| {
+                let z = if m.layers == 1 { node.z.lane(lane) as i32 } else { 0 };
+                let [x, y] = [node.x.lane(lane) as i32, node.y.lane(lane) as i32];
+                let within = |c: i32, n: u32| (0..n as i32).contains(&c);
+                if !(within(x, nx) && within(y, ny) && within(z, nz)) {
+                    return 0.0;
+                }
+                let index = x as usize + nx as usize * (y as usize + ny as usize * z as usize);
+                setup.field.get(index).map_or(0.0, |node| node[axis])
+            })
+        };
+        sum = sum + vec3(value(0), value(1), value(2)) * field_share(m, place, node);
+    }
+    sum
+}

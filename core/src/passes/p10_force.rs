@@ -1,0 +1,55 @@
+//! Acceleration of each particle: pressure, viscosity and what acts from outside; without pressure where that is iterated
+//! later. Walks the neighbour lists of the density pass.
+use super::local::Particles;
+use super::pairs::{Block, Lists, PairPass, fold, run as run_pairs};
+use super::{Setup, field, store};
+use crate::arithmetic::real::{Real, real, vec3};
+use crate::executor::Executor;
+use crate::layout::f32x4;
+use crate::terms::exchange::{exchange_close, exchange_neighbour, exchange_share};
+use crate::terms::external::external_close;
+use crate::terms::neighbour::{acceleration_close, force_neighbour};
+use crate::terms::wall::if_free;
+
+struct Force;
+
+/// Fills `out`, the accelerations.
+pub(crate) fn run(
+    setup: Setup<'_>,
+    executor: &impl Executor,
+    particles: Particles<'_>,
+    lists: Lists<'_>,
+    out: &mut [f32x4],
+) {
+    run_pairs(setup, executor, particles, lists, &Force, out);
+}
+
+impl PairPass for Force {
+    #[inline(always)]
+    fn block<R: Real>(&self, block: &Block<'_>, own: &mut [f32x4]) -> u32 {
+        let (setup, particles) = (block.setup, block.particles);
+        let (m, p, t) = (setup.model, setup.parameters, setup.tables);
+        if particles.are_walls(setup, block.first, block.last) {
+            own.fill([0.0; 4]);
+            return 0;
+        }
+        let a = particles.receivers::<R>(setup, block.first, block.last);
+        let nothing = vec3(real::<R>(0.0), real(0.0), real(0.0));
+        let force =
+            fold!(block, nothing, |force, b| force + force_neighbour(m, p, t, a, particles.neighbour(setup, b)));
+        let mut driven = acceleration_close(p, force, a.deviation);
+        if m.exchange == 1 {
+            let (change, shares) = fold!(block, (nothing, real::<R>(0.0)), |(change, shares), b| {
+                let b = particles.neighbour(setup, b);
+                (change + exchange_neighbour(m, p, a, b), shares + exchange_share(m, p, a, b))
+            });
+            driven = driven + change * exchange_close(p, shares);
+        }
+        if m.field == 1 {
+            driven = driven + field::at(setup, a.position);
+        }
+        let acceleration = external_close(m, p, driven, a.velocity, a.deviation);
+        store(own, core::hint::black_box(if_free(m, acceleration, a.wall)));
+        0
+    }
+}

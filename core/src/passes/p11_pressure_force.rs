@@ -1,0 +1,46 @@
+//! Acceleration by the pressure of an iteration, added to all else. Only where pressure is corrected.
+use super::local::Particles;
+use super::pairs::{Block, Lists, PairPass, fold, run as run_pairs};
+use super::{Setup, load, store};
+use crate::arithmetic::real::{Real, real, vec3};
+use crate::executor::Executor;
+use crate::layout::f32x4;
+use crate::terms::geometry::flush3;
+use crate::terms::neighbour::{acceleration_close, pressure_neighbour};
+use crate::terms::wall::if_free;
+
+struct PressureForce<'a> {
+    free: &'a [f32x4],
+}
+
+/// Fills `out`, the accelerations, from `free`, those without pressure.
+pub(crate) fn run(
+    setup: Setup<'_>,
+    executor: &impl Executor,
+    particles: Particles<'_>,
+    lists: Lists<'_>,
+    free: &[f32x4],
+    out: &mut [f32x4],
+) {
+    run_pairs(setup, executor, particles, lists, &PressureForce { free }, out);
+}
+
+impl PairPass for PressureForce<'_> {
+    #[inline(always)]
+    fn block<R: Real>(&self, block: &Block<'_>, own: &mut [f32x4]) -> u32 {
+        let (setup, particles) = (block.setup, block.particles);
+        let (m, p, t) = (setup.model, setup.parameters, setup.tables);
+        if particles.are_walls(setup, block.first, block.last) {
+            own.fill([0.0; 4]);
+            return 0;
+        }
+        let a = particles.receivers::<R>(setup, block.first, block.last);
+        let nothing = vec3(real::<R>(0.0), real(0.0), real(0.0));
+        let force =
+            fold!(block, nothing, |force, b| force + pressure_neighbour(m, p, t, a, particles.neighbour(setup, b)));
+        let free = load::<R>(self.free, block.first, block.last);
+        let all = flush3(free + acceleration_close(p, force, a.deviation));
+        store(own, core::hint::black_box(if_free(m, all, a.wall)));
+        0
+    }
+}

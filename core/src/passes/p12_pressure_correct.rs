@@ -1,0 +1,63 @@
+//! One iteration of pressure: how far the next density would miss, and what mends it. Only where pressure is corrected.
+use super::local::Particles;
+use super::pairs::{Block, Lists, PairPass, fold, run as run_pairs};
+use super::{Setup, load};
+use crate::arithmetic::real::{Real, real, select, vec3};
+use crate::executor::Executor;
+use crate::layout::f32x4;
+use crate::terms::correction::{density_miss, predicted_velocity, pressure_corrected, residual};
+use crate::terms::density::continuity_neighbour;
+use crate::terms::kernel::if_inside;
+use crate::terms::pair::{pair_scale, separation, squared_ratio};
+use crate::terms::wall::MIRRORED;
+
+struct PressureCorrect<'a> {
+    acceleration: &'a [f32x4],
+}
+
+/// Corrects the pressures in `density_pressure`; returns the largest miss, as the bits of a number that is not negative.
+pub(crate) fn run(
+    setup: Setup<'_>,
+    executor: &impl Executor,
+    particles: Particles<'_>,
+    lists: Lists<'_>,
+    acceleration: &[f32x4],
+    density_pressure: &mut [f32x4],
+) -> u32 {
+    run_pairs(setup, executor, particles, lists, &PressureCorrect { acceleration }, density_pressure)
+}
+
+impl PairPass for PressureCorrect<'_> {
+    #[inline(always)]
+    fn block<R: Real>(&self, block: &Block<'_>, own: &mut [f32x4]) -> u32 {
+        let (setup, particles) = (block.setup, block.particles);
+        let (m, p, t) = (setup.model, setup.parameters, setup.tables);
+        let (first, last) = (block.first, block.last);
+        if m.wall_particles == MIRRORED && particles.are_walls(setup, first, last) {
+            return 0;
+        }
+        let a = particles.receivers::<R>(setup, first, last);
+        let v_a = predicted_velocity(p, a.velocity, load(self.acceleration, first, last));
+        let rate = fold!(block, real::<R>(0.0), |rate, index| {
+            let b = particles.neighbour::<R>(setup, index);
+            let x_ab = separation(m, p, a.position, b.position);
+            let scale = pair_scale(m, a.support, b.support);
+            let v_ab = v_a - predicted_velocity(p, b.velocity, vec3::splat(self.acceleration[index]));
+            let q2 = squared_ratio(m, p, x_ab, scale);
+            rate + if_inside(q2, continuity_neighbour(m, p, t, x_ab, v_ab, b.mass, scale))
+        });
+        let of = |i: usize| R::from_lanes(|lane| own[lane.min(last - first)][i]);
+        let (deviation, before) = (of(0), of(1));
+        let mut after = pressure_corrected(m, p, before, density_miss(m, p, before, deviation, rate));
+        if m.wall_particles == MIRRORED {
+            after = select(after, real(0.0), crate::arithmetic::real::less(real(0.0), a.wall));
+        }
+        let left = residual(p, before, after);
+        let mut largest = 0;
+        for (lane, own) in own.iter_mut().enumerate() {
+            own[1] = after.lane(lane);
+            largest = largest.max(left.lane(lane).to_bits());
+        }
+        largest
+    }
+}

@@ -1,0 +1,64 @@
+//! Thermal energy of each particle. Only where a scene keeps account of it.
+use super::local::Particles;
+use super::pairs::{Block, Lists, PairPass, fold, run as run_pairs};
+use super::{Setup, load};
+use crate::arithmetic::real::{Real, real, vec3};
+use crate::executor::Executor;
+use crate::layout::f32x4;
+use crate::terms::exchange::{exchange_close, exchange_share};
+use crate::terms::heat::{exchange_heat, heat_close, heat_neighbour, heat_stepped};
+use crate::terms::integrate::velocity_at_step;
+
+struct Heat<'a> {
+    acceleration: &'a [f32x4],
+}
+
+/// Steps `heat`, whose entries are the energy and its rate before the step.
+pub(crate) fn run(
+    setup: Setup<'_>,
+    executor: &impl Executor,
+    particles: Particles<'_>,
+    lists: Lists<'_>,
+    acceleration: &[f32x4],
+    heat: &mut [f32x4],
+) {
+    run_pairs(setup, executor, particles, lists, &Heat { acceleration }, heat);
+}
+
+impl PairPass for Heat<'_> {
+    #[inline(always)]
+    fn block<R: Real>(&self, block: &Block<'_>, own: &mut [f32x4]) -> u32 {
+        let (setup, particles) = (block.setup, block.particles);
+        let (m, p, t) = (setup.model, setup.parameters, setup.tables);
+        let (first, last) = (block.first, block.last);
+        if particles.are_walls(setup, first, last) {
+            return 0;
+        }
+        let a = particles.receivers::<R>(setup, first, last);
+        let v_a = velocity_at_step(p, a.velocity, load(self.acceleration, first, last));
+        let sum = fold!(block, real::<R>(0.0), |sum, index| {
+            let b = particles.neighbour(setup, index);
+            let v_ab = v_a - velocity_at_step(p, b.velocity, vec3::splat(self.acceleration[index]));
+            sum + heat_neighbour(m, p, t, a, b, v_ab)
+        });
+        let mut rate = heat_close(p, sum, a.deviation);
+        if m.exchange == 1 {
+            let (heat, shares) = fold!(block, (real::<R>(0.0), real::<R>(0.0)), |(heat, shares), index| {
+                let b = particles.neighbour(setup, index);
+                let v_ab = v_a - velocity_at_step(p, b.velocity, vec3::splat(self.acceleration[index]));
+                (heat + exchange_heat(m, p, a, b, v_ab), shares + exchange_share(m, p, a, b))
+            });
+            rate = rate + heat * exchange_close(p, shares);
+        }
+        let of = |i: usize| R::from_lanes(|lane| own[lane.min(last - first)][i]);
+        let energy = heat_stepped(p, of(0), of(1), rate);
+        for (lane, own) in own.iter_mut().enumerate() {
+            // a wall keeps no account
+            let velocity = particles.velocity[first + lane];
+            if super::kind(p, velocity[3])[1] == 0.0 {
+                *own = [energy.lane(lane), rate.lane(lane), 0.0, 0.0];
+            }
+        }
+        0
+    }
+}

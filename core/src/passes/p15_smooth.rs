@@ -1,0 +1,48 @@
+//! XSPH: the velocity that each particle moves with in the next step, beside its own. Only with XSPH.
+use super::local::Particles;
+use super::pairs::{Block, Lists, PairPass, fold, run as run_pairs};
+use super::{Setup, load, store};
+use crate::arithmetic::real::{Real, real, vec3};
+use crate::executor::Executor;
+use crate::layout::f32x4;
+use crate::terms::integrate::velocity_at_step;
+use crate::terms::wall::if_free;
+use crate::terms::xsph::{xsph_close, xsph_neighbour};
+
+struct Smooth<'a> {
+    acceleration: &'a [f32x4],
+}
+
+/// Fills `out`. With the velocities at the step, which the kick that is about to come makes.
+pub(crate) fn run(
+    setup: Setup<'_>,
+    executor: &impl Executor,
+    particles: Particles<'_>,
+    lists: Lists<'_>,
+    acceleration: &[f32x4],
+    out: &mut [f32x4],
+) {
+    run_pairs(setup, executor, particles, lists, &Smooth { acceleration }, out);
+}
+
+impl PairPass for Smooth<'_> {
+    #[inline(always)]
+    fn block<R: Real>(&self, block: &Block<'_>, own: &mut [f32x4]) -> u32 {
+        let (setup, particles) = (block.setup, block.particles);
+        let (m, p, t) = (setup.model, setup.parameters, setup.tables);
+        if particles.are_walls(setup, block.first, block.last) {
+            own.fill([0.0; 4]);
+            return 0;
+        }
+        let mut a = particles.receivers::<R>(setup, block.first, block.last);
+        a.velocity = velocity_at_step(p, a.velocity, load(self.acceleration, block.first, block.last));
+        let nothing = vec3(real::<R>(0.0), real(0.0), real(0.0));
+        let sum = fold!(block, nothing, |sum, index| {
+            let mut b = particles.neighbour::<R>(setup, index);
+            b.velocity = velocity_at_step(p, b.velocity, vec3::splat(self.acceleration[index]));
+            sum + xsph_neighbour(m, p, t, a, b)
+        });
+        store(own, core::hint::black_box(if_free(m, xsph_close(p, sum), a.wall)));
+        0
+    }
+}

@@ -1,0 +1,75 @@
+//! What flows, and where it is at the start.
+
+/// Properties of a fluid (S0 section 4.1.4). The default is water that is as compressible as a simulation likes it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
+pub struct Fluid {
+    /// Density at rest, kg/m3 (default 1000).
+    pub rest_density: f32,
+    /// Speed of sound, m/s (default 10); about ten times the fastest flow keeps the density within 1 %.
+    pub speed_of_sound: f32,
+    /// Tait's constant, Pa (default `rho0 c0^2 / 7`, the corrected constant of S3): S1's stiffness k.
+    pub stiffness: Option<f32>,
+    /// Dynamic viscosity, Pa s (default 0: none). For [`Viscosity`](super::Viscosity)`::{Mueller, Morris, Dotted}`.
+    pub dynamic_viscosity: f32,
+    /// Linear coefficient of the artificial viscosity (default 1). With the support radius in place of Monaghan's h, half
+    /// of it, the same alpha gives twice his viscosity.
+    pub alpha: f32,
+    /// Its quadratic coefficient (default 2).
+    pub beta: f32,
+    /// Share of the difference between two velocities that a neighbour at no distance exchanges in a step (S4; default 0),
+    /// for [`Viscosity::Exchange`](super::Viscosity::Exchange). More than about 0.2 is cut down: see
+    /// [`terms::viscosity`](crate::terms::viscosity).
+    pub velocity_exchange: f32,
+    /// The same, of the velocity with which two particles approach each other (S4's shock viscosity; default 0: none).
+    /// Acts beside any viscosity.
+    pub radial_exchange: f32,
+    /// How much a particle moves with its neighbours (XSPH, S0 eq. 2.16, S3; 0 to 1, default 0: not at all).
+    pub xsph: f32,
+    /// Near pressure over density, m2/s2 (default 0.1 c0^2, our choice: with c0^2 a liquid becomes a gas). Acts where
+    /// [`ModelChoice::near_pressure`](super::ModelChoice::near_pressure) does.
+    pub near_stiffness: Option<f32>,
+    /// Share of what viscosity dissipates that becomes heat (S4's gain; default 1), where
+    /// [`ModelChoice::thermal_energy`](super::ModelChoice::thermal_energy) is on.
+    pub heat_gain: f32,
+    /// Thermal energy at the start, J/kg (default 0).
+    pub thermal_energy: f32,
+}
+
+impl Default for Fluid {
+    fn default() -> Self {
+        Fluid {
+            rest_density: 1000.0,
+            speed_of_sound: 10.0,
+            stiffness: None,
+            dynamic_viscosity: 0.0,
+            alpha: 1.0,
+            beta: 2.0,
+            velocity_exchange: 0.0,
+            radial_exchange: 0.0,
+            xsph: 0.0,
+            near_stiffness: None,
+            heat_gain: 1.0,
+            thermal_energy: 0.0,
+        }
+    }
+}
+
+/// A box of fluid at the start, filled with particles at the centres of cells of the particle spacing.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub struct Block {
+    /// Lowest corner, m.
+    pub corner: [f32; 3],
+    /// Extent, m; rounded to whole spacings. In 2D the extent along z is ignored.
+    pub size: [f32; 3],
+    /// Velocity at the start, m/s (default at rest).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub velocity: [f32; 3],
+    /// Random displacement at the start, in spacings (default 0; the seed is fixed, so it is always the same one).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub jitter: f32,
+    /// Dynamic viscosity of this block, Pa s (default the fluid's).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub dynamic_viscosity: Option<f32>,
+}

@@ -1,0 +1,115 @@
+//! Which formulas a scene uses.
+use super::choice::{
+    DensityForm, EquationOfState, Evaluation, Iteration, Kernel, NearPressure, PressureForce, Viscosity, WallPressure,
+};
+
+/// Which formula each term uses. The defaults are S0's (section 4.1.2), in their forms for a single fluid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
+pub struct ModelChoice {
+    /// Kernel of the density sum, and of XSPH.
+    pub density_kernel: Kernel,
+    /// Kernel of the pressure gradient, and of the divergence in the continuity equation.
+    pub pressure_kernel: Kernel,
+    /// Kernel of the viscosity.
+    pub viscosity_kernel: Kernel,
+    /// Kernels by formula or from tables.
+    pub evaluation: Evaluation,
+    /// Where density comes from.
+    pub density: DensityForm,
+    /// Start with the density that the weight of the fluid above asks for, and with masses to match (S3 section 3.1).
+    pub hydrostatic_start: bool,
+    /// Give particles the mass with which the density sum over the lattice is the rest density.
+    pub calibrated_mass: bool,
+    /// Density to pressure.
+    pub equation_of_state: EquationOfState,
+    /// How pressure is iterated, with [`EquationOfState::PressureCorrection`].
+    pub correction: Correction,
+    /// May pressure be negative? Suction holds a free cloud together, and lets particles pair without near pressure.
+    pub suction: bool,
+    /// Pressure to force.
+    pub pressure_force: PressureForce,
+    /// What keeps particles from pairing.
+    pub near_pressure: NearPressure,
+    /// How velocities diffuse.
+    pub viscosity: Viscosity,
+    /// Keep account of heat: compression and what viscosity dissipates (S3; S4).
+    pub thermal_energy: bool,
+    /// Supports that follow the density, within bounds (S0 eq. 4.2 per errata; default: one for all).
+    pub variable_support: Option<SupportRange>,
+    /// What a particle of a wall does to the pressure of its neighbours.
+    pub wall_pressure: WallPressure,
+}
+
+impl Default for ModelChoice {
+    fn default() -> Self {
+        ModelChoice {
+            density_kernel: Kernel::Poly6,
+            pressure_kernel: Kernel::Spiky,
+            viscosity_kernel: Kernel::Viscosity,
+            evaluation: Evaluation::Direct,
+            density: DensityForm::Summation,
+            hydrostatic_start: false,
+            calibrated_mass: false,
+            equation_of_state: EquationOfState::Tait,
+            correction: Correction::default(),
+            suction: true,
+            pressure_force: PressureForce::Mueller,
+            near_pressure: NearPressure::Thesis,
+            viscosity: Viscosity::Mueller,
+            thermal_energy: false,
+            variable_support: None,
+            wall_pressure: WallPressure::Mirrored,
+        }
+    }
+}
+
+impl ModelChoice {
+    /// What the literature after S0 found to be better for one fluid: one kernel that does not pair for everything, the
+    /// symmetric gradient, Morris' viscosity, and no near pressure, which then has nothing to mend.
+    #[must_use]
+    pub fn modern() -> ModelChoice {
+        ModelChoice {
+            density_kernel: Kernel::WendlandC2,
+            pressure_kernel: Kernel::WendlandC2,
+            viscosity_kernel: Kernel::WendlandC2,
+            pressure_force: PressureForce::Monaghan,
+            near_pressure: NearPressure::Off,
+            viscosity: Viscosity::Morris,
+            ..ModelChoice::default()
+        }
+    }
+}
+
+/// How far the pressure of a step is iterated (S0 section 3.2.2 per errata).
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
+pub struct Correction {
+    /// By which rule.
+    pub iteration: Iteration,
+    /// Most iterations of a step, 1 to [`Correction::MOST`] (default 20).
+    pub iterations: u32,
+    /// Largest deviation from the density aimed at, as a share of the rest density, at which they end (default 0.001).
+    pub tolerance: f32,
+}
+
+impl Correction {
+    /// Most iterations that a scene can ask for: a device is handed all of them at once.
+    pub const MOST: u32 = 200;
+}
+
+impl Default for Correction {
+    fn default() -> Self {
+        Correction { iteration: Iteration::Relaxed, iterations: 20, tolerance: 0.001 }
+    }
+}
+
+/// Bounds of a particle's support radius, as shares of the scene's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub struct SupportRange {
+    /// Smallest, 0.5 to 1.
+    pub smallest: f32,
+    /// Largest, 1 to 2; cells are made as large.
+    pub largest: f32,
+}

@@ -1,0 +1,135 @@
+//! What holds a fluid and drives it from outside, and the cells that cover it.
+use super::choice::{Face, GridStructure, Reflection};
+use crate::layout::PLANES;
+use heapless::Vec;
+
+/// Walls of particles that a scene can have.
+pub const WALLS: usize = 8;
+
+/// A box with penalty walls (S0 section 3.5.1). Along a periodic axis it has none.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub struct Container {
+    /// Lowest corner, m.
+    pub low: [f32; 3],
+    /// Highest corner, m.
+    pub high: [f32; 3],
+    /// Share of the normal velocity that a wall gives back, 0 to 1 (default 0).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub bounce: f32,
+    /// Share of the tangential velocity that a wall leaves, 0 (no slip) to 1 (default 1).
+    #[cfg_attr(feature = "serde", serde(default = "default_slip"))]
+    pub slip: f32,
+    /// How much of a bounce is given back (default energy conserving).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub reflection: Reflection,
+    /// Faces that are not there, such as a lid (S0's direction control; default none missing).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub open: Vec<Face, PLANES>,
+}
+
+#[cfg(feature = "serde")]
+fn default_slip() -> f32 {
+    1.0
+}
+
+impl Container {
+    /// A closed box that gives back nothing and lets everything slide.
+    #[must_use]
+    pub fn closed(low: [f32; 3], high: [f32; 3]) -> Container {
+        Container { low, high, bounce: 0.0, slip: 1.0, reflection: Reflection::default(), open: Vec::new() }
+    }
+}
+
+/// A wall made of particles that stand still: neighbours to the fluid in every sum, so that it feels pressure and drag.
+/// Two layers with mirrored pressure (S1 section 6.3), three as quasi-fluid (S0 section 3.5.3).
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub struct Wall {
+    /// Its shape.
+    pub shape: WallShape,
+    /// Velocity with which its surface slides past, m/s (default still). The particles themselves stay, as those of a
+    /// conveyor belt would be replaced by others.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub velocity: [f32; 3],
+    /// Dynamic viscosity between it and the fluid, Pa s (default the fluid's: no slip; 0: free slip).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub dynamic_viscosity: Option<f32>,
+}
+
+/// Shape of a wall.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub enum WallShape {
+    /// A rectangle across an axis; its layers lie behind it.
+    Plane {
+        /// What it is to the fluid: a floor has the fluid above it, a ceiling below.
+        face: Face,
+        /// Lowest corner, m.
+        low: [f32; 3],
+        /// Highest corner, m; along the face's axis the same as `low`.
+        high: [f32; 3],
+    },
+    /// A hollow box; its layers lie outside.
+    Box {
+        /// Lowest corner of the inside, m.
+        low: [f32; 3],
+        /// Highest corner of the inside, m.
+        high: [f32; 3],
+        /// Faces that are not there (default none missing).
+        #[cfg_attr(feature = "serde", serde(default))]
+        open: Vec<Face, PLANES>,
+    },
+}
+
+/// A domain that wraps around: what leaves on one side comes back on the other, and sees across.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub struct Periodic {
+    /// Lowest corner, m.
+    pub low: [f32; 3],
+    /// Highest corner, m.
+    pub high: [f32; 3],
+    /// Along x, y, z?
+    pub axes: [bool; 3],
+}
+
+/// Air that moves past and drags the fluid along (S0 section 2.2.5's `f_other`): `a = drag (velocity - v)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub struct Wind {
+    /// Velocity of the air, m/s.
+    pub velocity: [f32; 3],
+    /// Share of the difference in velocity that is lost in a second, 1/s.
+    pub drag: f32,
+}
+
+/// A lattice of accelerations that the host fills, as often as it likes
+/// ([`Solver::set_field`](crate::Solver::set_field)): between its nodes the field is linear, outside it there is none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub struct FieldLattice {
+    /// Place of the first node, m.
+    pub low: [f32; 3],
+    /// Distance between nodes, m.
+    pub spacing: f32,
+    /// Nodes along x, y, z, at least 2 each; in 2D the one along z is ignored.
+    pub counts: [u32; 3],
+}
+
+/// The cells that neighbours are looked up in. They wrap, so the simulated volume is unbounded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
+pub struct Grid {
+    /// Cells along x, y, z (default 32 each, S0 section 4.2.2). At least 3; in 2D the one along z is ignored, and along a
+    /// periodic axis there are as many as fit. Too few and far particles share cells, which costs time and never a bit.
+    pub cells: [u32; 3],
+    /// How particles get into cells.
+    pub structure: GridStructure,
+}
+
+impl Default for Grid {
+    fn default() -> Self {
+        Grid { cells: [32, 32, 32], structure: GridStructure::IndexSort }
+    }
+}

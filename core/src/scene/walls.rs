@@ -1,0 +1,99 @@
+//! Where the particles of walls are: layers of the fluid's own lattice, outside of it.
+use super::lattice::{indices, whole};
+use super::{BLOCKS, Dimension, Face, Place, Scene, Wall, WallPressure, WallShape};
+
+impl Scene {
+    /// Layers of a wall: S1's two with mirrored pressure, S0's three as quasi-fluid; more where the support reaches further.
+    #[must_use]
+    pub fn wall_layers(&self) -> u32 {
+        let least = match self.model.wall_pressure {
+            WallPressure::Mirrored => 2,
+            WallPressure::QuasiFluid => 3,
+        };
+        let reach = crate::guided::support_radius(self) / f64::from(self.particle_spacing);
+        least.max((reach.min(64.0) + 0.5) as u32)
+    }
+}
+
+/// A wall as boxes of lattice: low corner and counts of each.
+struct Layers {
+    low: [f64; 3],
+    counts: [u64; 3],
+    /// What of it is hollow: offset and counts along each axis.
+    hollow: Option<([u64; 3], [u64; 3])>,
+}
+
+fn layers_of(wall: &Wall, scene: &Scene) -> Layers {
+    let d = scene.dimension.count();
+    let spacing = f64::from(scene.particle_spacing);
+    let layers = u64::from(scene.wall_layers());
+    let count = |low: &[f32; 3], high: &[f32; 3], axis: usize| {
+        if axis < d { whole(high[axis] - low[axis], scene) } else { 1 }
+    };
+    match &wall.shape {
+        WallShape::Plane { face, low, high } => {
+            let mut corner = low.map(f64::from);
+            let mut counts = [0, 1, 2].map(|axis| count(low, high, axis));
+            counts[face.axis()] = layers;
+            if !face.is_high() {
+                corner[face.axis()] -= layers as f64 * spacing;
+            }
+            Layers { low: corner, counts, hollow: None }
+        }
+        WallShape::Box { low, high, open } => {
+            let inside = [0, 1, 2].map(|axis| count(low, high, axis));
+            let mut corner = low.map(f64::from);
+            let (mut offset, mut counts) = ([0; 3], inside);
+            for face in Face::ALL.iter().filter(|face| face.axis() < d) {
+                let axis = face.axis();
+                let round = scene.periodic.is_some_and(|periodic| periodic.axes[axis]);
+                if !open.contains(face) && !round {
+                    counts[axis] += layers;
+                    if !face.is_high() {
+                        corner[axis] -= layers as f64 * spacing;
+                        offset[axis] = layers;
+                    }
+                }
+            }
+            Layers { low: corner, counts, hollow: Some((offset, inside)) }
+        }
+    }
+}
+
+impl Layers {
+    fn particles(&self) -> u64 {
+        let all = |counts: [u64; 3]| counts.iter().fold(1u64, |all, &n| all.saturating_mul(n));
+        all(self.counts).saturating_sub(self.hollow.map_or(0, |(_, counts)| all(counts)))
+    }
+}
+
+/// Particles of a wall.
+pub(super) fn wall_count(wall: &Wall, scene: &Scene) -> u64 {
+    layers_of(wall, scene).particles()
+}
+
+/// Every particle of the walls.
+pub(super) fn wall_places(scene: &Scene) -> impl Iterator<Item = Place> {
+    let spacing = f64::from(scene.particle_spacing);
+    scene.walls.iter().enumerate().flat_map(move |(i, wall)| {
+        let Layers { low, counts, hollow } = layers_of(wall, scene);
+        let is_hollow = move |index: &[u64; 3]| {
+            hollow.is_some_and(|(offset, inside)| (0..3).all(|a| (offset[a]..offset[a] + inside[a]).contains(&index[a])))
+        };
+        indices(counts).filter(move |index| !is_hollow(index)).map(move |index| {
+            let mut position = [0.0; 3];
+            for axis in 0..scene.dimension.count() {
+                position[axis] = (low[axis] + (index[axis] as f64 + 0.5) * spacing) as f32;
+            }
+            Place { species: (1 + BLOCKS + i) as u32, ..Place::at(position, wall.velocity) }
+        })
+    })
+}
+
+/// In the plane there is no wall across z.
+pub(super) fn is_in_space(wall: &Wall, dimension: Dimension) -> bool {
+    match &wall.shape {
+        WallShape::Plane { face, .. } => face.axis() < dimension.count(),
+        WallShape::Box { .. } => true,
+    }
+}

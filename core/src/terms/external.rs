@@ -1,0 +1,63 @@
+//! What acts from outside (S0 section 2.2.5): gravity, the buoyancy of what surrounds the fluid, wind, a field of the host's.
+use super::geometry::*;
+use crate::arithmetic::real::*;
+use crate::layout::{Model, Parameters};
+
+/// `g (1 - rho_ambient / rho_a)` (S4's body force), m/s2; all of g where nothing surrounds the fluid.
+#[inline(always)]
+pub fn weight<R: Real>(m: &Model, p: &Parameters, deviation: R) -> vec3<R> {
+    let g = vec3(real(p.gravity[0]), real(p.gravity[1]), real(p.gravity[2]));
+    if m.buoyancy == 0 {
+        return g;
+    }
+    let one: R = real(1.0);
+    return g * (one - div(real(p.ambient_ratio), deviation + 1.0));
+}
+
+/// `drag (wind - v)`, m/s2.
+#[inline(always)]
+pub fn wind_drag<R: Real>(p: &Parameters, velocity: vec3<R>) -> vec3<R> {
+    let wind = vec3(real(p.wind[0]), real(p.wind[1]), real(p.wind[2]));
+    return (wind - velocity) * real(p.wind[3]);
+}
+
+/// Where a position lies between the nodes of the host's lattice, in spacings from the first.
+#[inline(always)]
+pub fn field_place<R: Real>(p: &Parameters, position: vec3<R>) -> vec3<R> {
+    let low = vec3(real(p.field_low[0]), real(p.field_low[1]), real(p.field_low[2]));
+    return (position - low) * real(p.field_low[3]);
+}
+
+/// Share of a node in a value: `1 - |distance|` along each axis, 0 from the next node on. In the plane there is one layer.
+#[inline(always)]
+pub fn field_share<R: Real>(m: &Model, place: vec3<R>, node: vec3<R>) -> R {
+    let one: R = real(1.0);
+    let x = larger(one - abs(place.x - node.x), real(0.0));
+    let y = larger(one - abs(place.y - node.y), real(0.0));
+    if m.layers == 0 {
+        return x * y;
+    }
+    return x * y * larger(one - abs(place.z - node.z), real(0.0));
+}
+
+/// All that acts from outside but the host's field, added to what the neighbours do, m/s2.
+#[inline(always)]
+pub fn external_close<R: Real>(
+    m: &Model,
+    p: &Parameters,
+    driven: vec3<R>,
+    velocity: vec3<R>,
+    deviation: R,
+) -> vec3<R> {
+    if m.gravity == 0 {
+        if m.wind == 0 {
+            return flush3(driven);
+        }
+        return flush3(driven + wind_drag(p, velocity));
+    }
+    let weighed = driven + weight(m, p, deviation);
+    if m.wind == 0 {
+        return flush3(weighed);
+    }
+    return flush3(weighed + wind_drag(p, velocity));
+}

@@ -1,0 +1,158 @@
+//! Smoothing kernels without their constants, as functions of `q = r / support_radius`, zero from q = 1 on: the value w, the
+//! falling slope `-dw/dq`, and the curvature `d2w/dq2`. The constants, which depend on the dimension, follow by quadrature
+//! (`kernel.rs`, one level up).
+use crate::arithmetic::real::*;
+use crate::layout::Model;
+
+pub mod clavet;
+pub mod cubic_spline;
+pub mod gaussian;
+pub mod lucy;
+pub mod poly6;
+pub mod spiky;
+pub mod viscosity;
+pub mod wendland_c2;
+pub mod wendland_c4;
+texts!(clavet cubic_spline gaussian lucy poly6 spiky viscosity wendland_c2 wendland_c4);
+
+use clavet::*;
+use cubic_spline::*;
+use gaussian::*;
+use lucy::*;
+use poly6::*;
+use spiky::*;
+use viscosity::*;
+use wendland_c2::*;
+use wendland_c4::*;
+
+/// [`poly6`].
+pub const POLY6: u32 = 0;
+/// [`spiky`].
+pub const SPIKY: u32 = 1;
+/// [`cubic_spline`].
+pub const CUBIC_SPLINE: u32 = 2;
+/// [`gaussian`].
+pub const GAUSSIAN: u32 = 3;
+/// [`lucy`].
+pub const LUCY: u32 = 4;
+/// [`viscosity`].
+pub const VISCOSITY: u32 = 5;
+/// [`clavet`].
+pub const CLAVET: u32 = 6;
+/// [`wendland_c2`].
+pub const WENDLAND_C2: u32 = 7;
+/// [`wendland_c4`].
+pub const WENDLAND_C4: u32 = 8;
+
+/// `1 - q`, cut off at zero.
+#[inline(always)]
+pub fn inside<R: Real>(q: R) -> R {
+    let one: R = real(1.0);
+    return larger(one - q, real(0.0));
+}
+
+/// `x` inside the support, 0 from its edge on.
+#[inline(always)]
+pub fn if_inside<R: Real>(q: R, x: R) -> R {
+    return select(real(0.0), x, less(q, real(1.0)));
+}
+
+/// Value of the chosen kernel from q^2: some then need no root. The viscosity kernel's, infinite at 0, is not among them.
+#[inline(always)]
+pub fn kernel_w<R: Real>(kernel: u32, q2: R) -> R {
+    if kernel == POLY6 {
+        return poly6_w(q2);
+    }
+    if kernel == GAUSSIAN {
+        return gaussian_w(q2);
+    }
+    let q = root(q2);
+    if kernel == SPIKY {
+        return spiky_w(q);
+    }
+    if kernel == CUBIC_SPLINE {
+        return cubic_spline_w(q);
+    }
+    if kernel == LUCY {
+        return lucy_w(q);
+    }
+    if kernel == CLAVET {
+        return clavet_w(q);
+    }
+    if kernel == WENDLAND_C2 {
+        return wendland_c2_w(q);
+    }
+    return wendland_c4_w(q);
+}
+
+/// Falling slope `-dw/dq` of the chosen kernel.
+#[inline(always)]
+pub fn kernel_slope<R: Real>(m: &Model, kernel: u32, q: R) -> R {
+    if kernel == POLY6 {
+        return poly6_slope(q);
+    }
+    if kernel == SPIKY {
+        return spiky_slope(q);
+    }
+    if kernel == CUBIC_SPLINE {
+        return cubic_spline_slope(q);
+    }
+    if kernel == GAUSSIAN {
+        return gaussian_slope(q);
+    }
+    if kernel == LUCY {
+        return lucy_slope(q);
+    }
+    if kernel == VISCOSITY {
+        return viscosity_slope(m, q);
+    }
+    if kernel == CLAVET {
+        return clavet_slope(q);
+    }
+    if kernel == WENDLAND_C2 {
+        return wendland_c2_slope(q);
+    }
+    return wendland_c4_slope(q);
+}
+
+/// Curvature `d2w/dq2` of the chosen kernel.
+#[inline(always)]
+pub fn kernel_curvature<R: Real>(kernel: u32, q: R) -> R {
+    if kernel == POLY6 {
+        return poly6_curvature(q);
+    }
+    if kernel == SPIKY {
+        return spiky_curvature(q);
+    }
+    if kernel == CUBIC_SPLINE {
+        return cubic_spline_curvature(q);
+    }
+    if kernel == GAUSSIAN {
+        return gaussian_curvature(q);
+    }
+    if kernel == LUCY {
+        return lucy_curvature(q);
+    }
+    if kernel == CLAVET {
+        return clavet_curvature(q);
+    }
+    if kernel == WENDLAND_C2 {
+        return wendland_c2_curvature(q);
+    }
+    return wendland_c4_curvature(q);
+}
+
+/// Laplacian of the chosen kernel in d dimensions, `w'' + (d - 1) w' / q`, over H^2; 0 at q = 0.
+#[inline(always)]
+pub fn kernel_laplacian<R: Real>(m: &Model, kernel: u32, q: R) -> R {
+    if kernel == VISCOSITY {
+        return viscosity_laplacian(m, q);
+    }
+    let fall = div(kernel_slope(m, kernel, q), q);
+    let curvature = kernel_curvature(kernel, q);
+    let plane = curvature - fall;
+    if m.layers == 0 {
+        return select(real(0.0), plane, less(real(0.0), q));
+    }
+    return select(real(0.0), plane - fall, less(real(0.0), q));
+}

@@ -1,0 +1,24 @@
+//! Poly6, `(1 - q^2)^3`: Mueller et al. 2003, eq. 20 (S0 eq. 2.44 per errata). Constants 4 / pi in 2D, 315 / (64 pi) in 3D.
+use super::inside;
+use crate::arithmetic::real::*;
+
+/// The value, from q^2.
+#[inline(always)]
+pub fn poly6_w<R: Real>(q2: R) -> R {
+    let d = inside(q2);
+    return d * d * d;
+}
+
+/// `6 q (1 - q^2)^2`.
+#[inline(always)]
+pub fn poly6_slope<R: Real>(q: R) -> R {
+    let d = inside(q * q);
+    return q * d * d * 6.0;
+}
+
+/// `6 (1 - q^2) (5 q^2 - 1)`.
+#[inline(always)]
+pub fn poly6_curvature<R: Real>(q: R) -> R {
+    let q2 = q * q;
+    return inside(q2) * (q2 * 5.0 - 1.0) * 6.0;
+}

@@ -1,0 +1,69 @@
+//! Near pressure, which only ever pushes and only close by, so that particles do not pair (S0 section 3.1; S4).
+use super::kernel::*;
+use super::pair::*;
+use crate::arithmetic::real::*;
+use crate::layout::{Model, Parameters};
+
+/// None.
+pub const NEAR_OFF: u32 = 0;
+/// S0 section 3.1.
+pub const THESIS: u32 = 1;
+/// S4.
+pub const ARTICLE: u32 = 2;
+
+/// What a neighbour adds to the near density, `(1 - q)^3` (S4 after Clavet et al. 2005).
+#[inline(always)]
+pub fn near_density_neighbour<R: Real>(m: &Model, mass_b: R, q2: R, scale: R) -> R {
+    let w = value_scaled(m, kernel_w(SPIKY, q2), scale);
+    if m.masses == 0 {
+        return w;
+    }
+    return w * mass_b;
+}
+
+/// `P_near = k_near rho` (S0 section 3.1 per errata: its own stiffness `k_near`, m2/s2), Pa.
+#[inline(always)]
+pub fn near_pressure_thesis<R: Real>(p: &Parameters, deviation: R) -> R {
+    return (deviation + 1.0) * p.near_pressure_at_rest;
+}
+
+/// `P_near = k_near rho_near` (S4), Pa.
+#[inline(always)]
+pub fn near_pressure_article<R: Real>(p: &Parameters, near_sum: R) -> R {
+    return near_sum * p.near_density_constant;
+}
+
+/// The chosen near pressure.
+#[inline(always)]
+pub fn near_pressure_close<R: Real>(m: &Model, p: &Parameters, deviation: R, near_sum: R) -> R {
+    if m.near_pressure == THESIS {
+        return near_pressure_thesis(p, deviation);
+    }
+    if m.near_pressure == ARTICLE {
+        return near_pressure_article(p, near_sum);
+    }
+    return real(0.0);
+}
+
+/// `(1 - q)^3`: Spiky's slope with the next power (S0 section 3.1 per errata).
+#[inline(always)]
+pub fn near_slope_thesis<R: Real>(q: R) -> R {
+    let d = inside(q);
+    return d * d * d;
+}
+
+/// `3 (1 - q)^2`: the slope of the near density's own kernel (S4).
+#[inline(always)]
+pub fn near_slope_article<R: Real>(q: R) -> R {
+    let d = inside(q);
+    return d * d * 3.0;
+}
+
+/// The chosen slope.
+#[inline(always)]
+pub fn near_slope<R: Real>(m: &Model, q: R) -> R {
+    if m.near_pressure == THESIS {
+        return near_slope_thesis(q);
+    }
+    return near_slope_article(q);
+}

@@ -1,0 +1,105 @@
+//! What two particles are to each other: the shortest way between them, and their common support.
+use super::geometry::*;
+use crate::arithmetic::real::*;
+use crate::layout::{Model, Parameters};
+
+/// What the pair terms know of a particle.
+#[derive(Clone, Copy)]
+pub struct Local<R> {
+    /// Where it is, m.
+    pub position: vec3<R>,
+    /// How fast it is, m/s.
+    pub velocity: vec3<R>,
+    /// Its support radius over the scene's.
+    pub support: R,
+    /// Its mass over the scene's.
+    pub mass: R,
+    /// `rho / rho0 - 1`.
+    pub deviation: R,
+    /// Pressure, Pa.
+    pub pressure: R,
+    /// Near pressure, Pa.
+    pub near_pressure: R,
+    /// Volume it stands for, m3 (m2 in 2D).
+    pub volume: R,
+    /// Dynamic viscosity, Pa s.
+    pub viscosity: R,
+    /// 1 for a particle of a wall, 0 for the fluid.
+    pub wall: R,
+}
+
+/// A difference of coordinates, the shorter way round where the axis is periodic.
+#[inline(always)]
+pub fn nearest<R: Real>(x: R, period: f32, half_period: f32) -> R {
+    let half: R = real(half_period);
+    let down = select(x, x - period, less(half, x));
+    return select(down, down + period, less(down, -half));
+}
+
+/// `x_ab = x_a - x_b`, to the nearest image of b in a periodic domain.
+#[inline(always)]
+pub fn separation<R: Real>(m: &Model, p: &Parameters, x_a: vec3<R>, x_b: vec3<R>) -> vec3<R> {
+    let x_ab = x_a - x_b;
+    if m.periodic == 0 {
+        return x_ab;
+    }
+    let x = nearest(x_ab.x, p.period[0], p.half_period[0]);
+    let y = nearest(x_ab.y, p.period[1], p.half_period[1]);
+    let z = nearest(x_ab.z, p.period[2], p.half_period[2]);
+    return vec3(x, y, z);
+}
+
+/// Support of the scene over that of a pair: one symmetric `H_ab = (H_a + H_b) / 2`, so that action is reaction.
+#[inline(always)]
+pub fn pair_scale<R: Real>(m: &Model, support_a: R, support_b: R) -> R {
+    if m.variable_support == 0 {
+        return real(1.0);
+    }
+    return div(real(2.0), support_a + support_b);
+}
+
+/// `q^2 = (r / H_ab)^2`.
+#[inline(always)]
+pub fn squared_ratio<R: Real>(m: &Model, p: &Parameters, x_ab: vec3<R>, scale: R) -> R {
+    let q2 = length2(x_ab) * p.inverse_support_squared;
+    if m.variable_support == 0 {
+        return q2;
+    }
+    return q2 * scale * scale;
+}
+
+/// A kernel's value on a pair's own support, `1 / H^d`.
+#[inline(always)]
+pub fn value_scaled<R: Real>(m: &Model, x: R, scale: R) -> R {
+    if m.variable_support == 0 {
+        return x;
+    }
+    if m.layers == 0 {
+        return x * scale * scale;
+    }
+    return x * scale * scale * scale;
+}
+
+/// A kernel's slope on a pair's own support, `1 / H^(d + 1)`.
+#[inline(always)]
+pub fn slope_scaled<R: Real>(m: &Model, x: R, scale: R) -> R {
+    if m.variable_support == 0 {
+        return x;
+    }
+    return value_scaled(m, x, scale) * scale;
+}
+
+/// A kernel's Laplacian on a pair's own support, `1 / H^(d + 2)`.
+#[inline(always)]
+pub fn laplacian_scaled<R: Real>(m: &Model, x: R, scale: R) -> R {
+    if m.variable_support == 0 {
+        return x;
+    }
+    return value_scaled(m, x, scale) * scale * scale;
+}
+
+/// `x / q`, and 0 where two particles are at one place: they have no direction, so they do not push each other.
+#[inline(always)]
+pub fn over_distance<R: Real>(x: R, q: R) -> R {
+    return select(real(0.0), div(x, q), less(real(0.0), q));
+}

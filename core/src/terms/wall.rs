@@ -1,0 +1,50 @@
+//! Walls of particles: what one of their particles is to a particle of the fluid.
+use super::pair::*;
+use crate::arithmetic::real::*;
+use crate::layout::Model;
+
+/// None.
+pub const NO_WALLS: u32 = 0;
+/// S1 algorithm 1.
+pub const MIRRORED: u32 = 1;
+/// S0 section 3.5.3.
+pub const QUASI_FLUID: u32 = 2;
+
+/// `x` of a neighbour in the fluid; of a mirroring wall, what the particle itself has (S1 algorithm 1): a pressure that
+/// always answers, and never pulls harder than the fluid does.
+#[inline(always)]
+pub fn wall_mirrored<R: Real>(m: &Model, own: R, x: R, wall_b: R) -> R {
+    if m.wall_particles == MIRRORED {
+        return select(x, own, less(real(0.0), wall_b));
+    }
+    return x;
+}
+
+/// Viscosity of a pair, Pa s: the mean, or that of the wall, from no slip to none (S0 section 3.5.3).
+#[inline(always)]
+pub fn pair_viscosity<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {
+    if m.species == 0 {
+        return a.viscosity;
+    }
+    return select((a.viscosity + b.viscosity) * 0.5, b.viscosity, less(real(0.0), b.wall));
+}
+
+/// 0 for what a particle of a wall would do, were it free.
+#[inline(always)]
+pub fn if_free<R: Real>(m: &Model, x: vec3<R>, wall: R) -> vec3<R> {
+    if m.wall_particles == NO_WALLS {
+        return x;
+    }
+    let nothing: R = real(0.0);
+    let held = less(nothing, wall);
+    return vec3(select(x.x, nothing, held), select(x.y, nothing, held), select(x.z, nothing, held));
+}
+
+/// Volume that a neighbour stands for, m3: for a mirroring wall its own mass at the particle's density.
+#[inline(always)]
+pub fn neighbour_volume<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {
+    if m.masses == 0 {
+        return wall_mirrored(m, a.volume, b.volume, b.wall);
+    }
+    return wall_mirrored(m, a.volume * div(b.mass, a.mass), b.volume, b.wall);
+}

@@ -1,0 +1,22 @@
+//! XSPH (Monaghan 1989; S0 eq. 2.16 per errata, S3): a particle moves with a velocity nearer to its neighbours'.
+use super::geometry::*;
+use super::pair::*;
+use super::table::*;
+use crate::arithmetic::real::*;
+use crate::layout::{Model, Parameters, Tables};
+
+/// What a neighbour adds to `eta sum m_b / rho_mean_ab (v_b - v_a) W_ab`, m/s; eta and constants close the sum.
+#[inline(always)]
+pub fn xsph_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>) -> vec3<R> {
+    let x_ab = separation(m, p, a.position, b.position);
+    let scale = pair_scale(m, a.support, b.support);
+    let w = value_scaled(m, density_kernel(m, t, squared_ratio(m, p, x_ab, scale)), scale);
+    let both = a.deviation + b.deviation + 2.0;
+    return (b.velocity - a.velocity) * div(w * b.mass * 2.0, both);
+}
+
+/// The velocity to move with beside the particle's own, m/s.
+#[inline(always)]
+pub fn xsph_close<R: Real>(p: &Parameters, sum: vec3<R>) -> vec3<R> {
+    return flush3(sum * real(p.xsph_constant));
+}

@@ -1,0 +1,15 @@
+// What the pair passes read of a particle. Twin: core/src/passes/local.rs.
+fn local(a: u32) -> Local {
+  let x = new_position[a];
+  let v = new_velocity[a];
+  let state = new_density_pressure[a];
+  let own = kind(v.w);
+  var support = 1.0f;
+  if m.variable_support == 1u { support = previous[a].z; }
+  return Local(x.xyz, v.xyz, support, x.w, state.x, state.y, state.z, state.w, own.x, own.y);
+}
+
+fn is_near(a: Local, b: Local) -> bool {
+  let x_ab = separation(a.position, b.position);
+  return less(squared_ratio(x_ab, pair_scale(a.support, b.support)), 1.0f);
+}

@@ -1,0 +1,46 @@
+// Density of each particle from its neighbours, and the pressures that follow.
+fn support_of(a: u32) -> f32 {
+  if m.variable_support == 1u { return previous[a].z; }
+  return 1.0f;
+}
+
+fn pass_body(a: u32) {
+  if a >= p.particle_count || head.status.failed != 0u { return; }
+  let x_a = new_position[a];
+  let v_a = new_velocity[a];
+  // a mirroring wall has no density, and nobody acts on it
+  if m.wall_particles == MIRRORED && kind(v_a.w).y > 0.0f {
+    new_density_pressure[a] = vec4(0.0f, 0.0f, 0.0f, volume_close(x_a.w, 0.0f));
+    return;
+  }
+  let own = cell_of(x_a.xyz);
+  var sum = 0.0f;
+  var near_sum = 0.0f;
+  for (var i = 0u; i < stencil_cells(); i += 1u) {
+    let c = stencil_cell(own, i);
+    let end = begin[c] + head.counter[c];
+    for (var b = begin[c]; b < end; b += 1u) {
+      let x_b = new_position[b];
+      let x_ab = separation(x_a.xyz, x_b.xyz);
+      let scale = pair_scale(support_of(a), support_of(b));
+      let q2 = squared_ratio(x_ab, scale);
+      if less(q2, 1.0f) {
+        if m.density == CONTINUITY {
+          // where the pair was in the middle of the step
+          let v_ab = v_a.xyz - new_velocity[b].xyz;
+          sum = sum + continuity_neighbour(x_ab - v_ab * p.half_time_step, v_ab, x_b.w, scale);
+        } else {
+          sum = sum + summed_neighbour(x_b.w, q2, scale);
+        }
+        if m.near_pressure == ARTICLE { near_sum = near_sum + near_density_neighbour(x_b.w, q2, scale); }
+      }
+    }
+  }
+  var deviation = 0.0f;
+  if m.density == CONTINUITY { deviation = deviation_stepped(previous[a].x, sum); } else { deviation = deviation_of_sum(sum); }
+  var pressure = 0.0f;
+  if m.equation_of_state == PRESSURE_CORRECTION { pressure = previous[a].y; } else { pressure = pressure_of_state(deviation); }
+  let near_pressure = near_pressure_close(deviation, near_sum);
+  new_density_pressure[a] =
+    vec4(deviation, pressure_close(pressure), near_pressure, volume_close(x_a.w, deviation));
+}

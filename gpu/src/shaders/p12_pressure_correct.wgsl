@@ -1,0 +1,28 @@
+// One iteration of pressure: how far the next density would miss, and what mends it.
+fn predicted(a: u32) -> vec3<f32> { return predicted_velocity(new_velocity[a].xyz, new_acceleration[a].xyz); }
+
+fn pass_body(a: u32) {
+  if a >= p.particle_count || atomicLoad(&head.status.failed) != 0u || atomicLoad(&head.status.settled) != 0u { return; }
+  if m.wall_particles == MIRRORED && kind(new_velocity[a].w).y > 0.0f { return; }
+  let x_a = new_position[a].xyz;
+  let v_a = predicted(a);
+  let own = cell_of(x_a);
+  var rate = 0.0f;
+  for (var i = 0u; i < stencil_cells(); i += 1u) {
+    let c = stencil_cell(own, i);
+    let end = begin[c] + atomicLoad(&head.counter[c]);
+    for (var b = begin[c]; b < end; b += 1u) {
+      let x_b = new_position[b];
+      let x_ab = separation(x_a, x_b.xyz);
+      var scale = 1.0f;
+      if m.variable_support == 1u { scale = pair_scale(previous[a].z, previous[b].z); }
+      if less(squared_ratio(x_ab, scale), 1.0f) {
+        rate = rate + continuity_neighbour(x_ab, v_a - predicted(b), x_b.w, scale);
+      }
+    }
+  }
+  let state = new_density_pressure[a];
+  let after = pressure_corrected(state.y, density_miss(state.y, state.x, rate));
+  new_density_pressure[a] = vec4(state.x, after, state.z, state.w);
+  atomicMax(&head.status.residual, bitcast<u32>(residual(state.y, after)));
+}

@@ -1,0 +1,197 @@
+//! `dam-break-front`: the catalogue's case D1. A column of water, twice as high as wide, collapses onto a dry bed; how far
+//! its front has come is compared with the experiments of Martin and Moyce 1952 and of Koshizuka and Oka 1996.
+use super::flow::{grid, start_with, step, steps_to};
+use super::outcome::table;
+use super::reference::{along, pairs};
+use super::{Context, Figure, Outcome};
+use crate::failure::Failure;
+use crate::memory::Heap;
+use millpond_core::Solver;
+use millpond_core::guided::support_radius;
+use millpond_core::scene::{
+    Block, DensityForm, Dimension, Face, Fluid, ModelChoice, Scene, Wall, WallPressure, WallShape, places,
+};
+
+const NAME: &str = "dam-break-front";
+
+/// Of the column: base a and height n^2 a, m; of the tank, m; m/s2.
+const BASE: f32 = 1.0;
+const HEIGHT: f32 = 2.0;
+const TANK: [f32; 3] = [5.0, 2.4, 0.0];
+const GRAVITY: f32 = 9.81;
+
+/// Particles along the base. The catalogue's middle level has the limits.
+const COARSE: u16 = 25;
+const FINE: u16 = 50;
+
+/// Ten times `sqrt(2 g H)`, the speed of a fall from the top, m/s.
+const SPEED_OF_SOUND: f32 = 62.6;
+
+/// Share of the support that sound travels in a step; the front is ten times slower.
+const COURANT: f64 = 0.2;
+
+/// Pa s; a Reynolds number of some 1000, as much as 0.02 of artificial viscosity. It ends the trembling of neighbours.
+const VISCOSITY: f32 = 5.0;
+
+/// When it ends: the last point of Martin and Moyce is at T = 3.33.
+const END: f64 = 3.4;
+const STEPS_PER_SAMPLE: u64 = 10;
+
+/// A particle with fewer others than this in its support has parted from the tongue: it is spray, and no front.
+const COMPANY: u32 = 2;
+
+/// The gate of the experiment does not open at once; it costs at most that much of T.
+const LARGEST_SHIFT: f64 = 0.3;
+const SHIFTS: u16 = 60;
+
+/// Of the catalogue: rms of Z's relative error against Martin and Moyce, as it is and shifted.
+const RAW_LIMIT: f64 = 0.10;
+const SHIFTED_LIMIT: f64 = 0.05;
+
+/// Of a frictionless dam break (Ritter): no front keeps on faster than `dZ/dT = 2`, seen over the later part of the table.
+const SPEED_LIMIT: f64 = 2.0;
+const LATER: [f64; 2] = [1.43, 3.33];
+
+/// Forms with the limits.
+const BEST: (DensityForm, WallPressure) = (DensityForm::Continuity, WallPressure::Mirrored);
+
+/// The front: Z = z / a over T = n t sqrt(g / a).
+type Front = Vec<[f64; 2]>;
+
+pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
+    let measured = pairs(include_str!("../../data/martin-moyce.csv"))?;
+    let other = pairs(include_str!("../../data/koshizuka-oka.csv"))?;
+    let judged = |front: &Front| {
+        let (shift, shifted) = best_shift(front, &measured);
+        let (other_shift, other_shifted) = best_shift(front, &other);
+        let raw = [rms_error(front, &measured, 0.0), rms_error(front, &other, 0.0)];
+        (raw, [shifted, other_shifted], [shift, other_shift])
+    };
+    let mut lines = Vec::new();
+    let mut report = |side: u16, (density, wall): (DensityForm, WallPressure), front: &Result<Front, Failure>| {
+        let name = format!("{}, {}", density.name(), wall.name());
+        let errors = match front {
+            Ok(front) => {
+                let (raw, shifted, shift) = judged(front);
+                let words =
+                    |i: usize| format!("{:.1} %, {:.1} % by {:.2}", raw[i] * 100.0, shifted[i] * 100.0, shift[i]);
+                [words(0), words(1)]
+            }
+            Err(failure) => [failure.to_string(), String::new()],
+        };
+        let [measured, other] = errors;
+        lines.push([side.to_string(), name, measured, other]);
+    };
+    let coarse = collapse(context, COARSE, BEST)?;
+    report(COARSE, BEST, &Ok(coarse.clone()));
+    let (side, front) = if context.quick {
+        (COARSE, coarse.clone())
+    } else {
+        let fine = collapse(context, FINE, BEST)?;
+        report(FINE, BEST, &Ok(fine.clone()));
+        for form in forms().filter(|form| *form != BEST) {
+            report(COARSE, form, &collapse(context, COARSE, form));
+        }
+        (FINE, fine)
+    };
+    let (raw, shifted, _) = judged(&front);
+    let speed = (along(&front, LATER[1]) - along(&front, LATER[0])) / (LATER[1] - LATER[0]);
+    let mut figures = vec![
+        Figure::below(format!("rms error of Z, a/dx = {side}"), raw[0], RAW_LIMIT),
+        Figure::below(format!("the same, best shift, a/dx = {side}"), shifted[0], SHIFTED_LIMIT),
+        Figure::below("dZ/dT from 1.43 to 3.33", speed, SPEED_LIMIT),
+    ];
+    if !context.quick {
+        let (coarse, ..) = judged(&coarse);
+        figures.push(Figure::below(format!("rms error over that with a/dx = {COARSE}"), raw[0] / coarse[0], 1.0));
+    }
+    let titles = ["a/dx", "density, walls", "Martin and Moyce: rms, best shift", "Koshizuka and Oka"];
+    let points = measured.iter().map(|[t, z]| [format!("{t}"), format!("{z}"), format!("{:.2}", along(&front, *t))]);
+    let notes = vec![table(titles, lines), table(["T", "Z measured", &format!("Z, a/dx = {side}")], points)];
+    Ok(Outcome::new(NAME, figures, notes))
+}
+
+fn forms() -> impl Iterator<Item = (DensityForm, WallPressure)> {
+    DensityForm::ALL.iter().flat_map(|density| WallPressure::ALL.iter().map(move |wall| (*density, *wall)))
+}
+
+fn scene(side: u16, (density, wall_pressure): (DensityForm, WallPressure)) -> Scene {
+    let spacing = BASE / f32::from(side);
+    let fluid = Fluid { speed_of_sound: SPEED_OF_SOUND, dynamic_viscosity: VISCOSITY, ..Fluid::default() };
+    let block = Block { size: [BASE, HEIGHT, 0.0], ..Block::default() };
+    let mut scene = Scene::of(Dimension::Two, spacing, 1.0, fluid, block);
+    scene.time_step = (COURANT * support_radius(&scene) / f64::from(SPEED_OF_SOUND)) as f32;
+    scene.gravity = [0.0, -GRAVITY, 0.0];
+    // the column stands behind its gate before it is let go; numbers of particles cannot be made to show its weight
+    let hydrostatic_start = density != DensityForm::NumberDensity;
+    scene.model = ModelChoice {
+        density,
+        wall_pressure,
+        hydrostatic_start,
+        calibrated_mass: true,
+        suction: false,
+        ..ModelChoice::modern()
+    };
+    let shape = WallShape::Box { low: [0.0; 3], high: TANK, open: [Face::Ceiling].into_iter().collect() };
+    // free slip: the boundary layer of the experiment is thinner than a particle
+    scene.walls = [Wall { shape, velocity: [0.0; 3], dynamic_viscosity: Some(0.0) }].into_iter().collect();
+    scene.grid = grid(Dimension::Two, 64);
+    scene
+}
+
+fn collapse(context: &Context, side: u16, form: (DensityForm, WallPressure)) -> Result<Front, Failure> {
+    let scene = scene(side, form);
+    let mut heap = Heap::of(&scene);
+    let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
+    // T = n t sqrt(g / a), with n^2 = H / a
+    let rate = (f64::from(GRAVITY) * f64::from(HEIGHT)).sqrt() / f64::from(BASE);
+    let mut front = vec![[0.0, 1.0]];
+    let title = format!("{NAME} {side}");
+    step(&title, context, &mut solver, steps_to(&scene, END / rate), STEPS_PER_SAMPLE, |solver| {
+        let z = place_of_front(solver, &scene) / f64::from(BASE);
+        front.push([solver.time() * rate, z]);
+    })?;
+    Ok(front)
+}
+
+/// Far edge of the rightmost column of one spacing that holds at least half of a full layer, m. A particle counts for the
+/// columns that its own width of one spacing covers, by their shares.
+fn place_of_front(solver: &mut Solver<'_>, scene: &Scene) -> f64 {
+    let spacing = f64::from(scene.particle_spacing);
+    let water = scene.fluid_count();
+    let mut company = vec![0u32; water];
+    solver.each_pair(|a, b| {
+        let (a, b) = (a as usize, b as usize);
+        if a != b
+            && b < water
+            && let Some(others) = company.get_mut(a)
+        {
+            *others += 1;
+        }
+    });
+    let columns = (f64::from(TANK[0]) / spacing).ceil() as usize + 1;
+    let mut layers = vec![0.0; columns];
+    for (particle, company) in solver.particles().zip(company) {
+        if company >= COMPANY {
+            let left = (f64::from(particle.position.x) / spacing - 0.5).clamp(0.0, (columns - 2) as f64);
+            let (column, share) = (left as usize, left.fract());
+            layers[column] += 1.0 - share;
+            layers[column + 1] += share;
+        }
+    }
+    let front = layers.iter().rposition(|layers| *layers >= 0.5);
+    front.map_or(0.0, |column| (column + 1) as f64 * spacing)
+}
+
+/// Root of the mean square of Z's relative error, the computed clock set back by `shift`.
+fn rms_error(front: &[[f64; 2]], measured: &[[f64; 2]], shift: f64) -> f64 {
+    let square = |[t, z]: &[f64; 2]| ((along(front, t - shift) - z) / z).powi(2);
+    (measured.iter().map(square).sum::<f64>() / measured.len() as f64).sqrt()
+}
+
+/// The shift that fits best, and its error.
+fn best_shift(front: &[[f64; 2]], measured: &[[f64; 2]]) -> (f64, f64) {
+    let shifts = (0..=SHIFTS).map(|i| LARGEST_SHIFT * f64::from(i) / f64::from(SHIFTS));
+    let tried = shifts.map(|shift| (shift, rms_error(front, measured, shift)));
+    tried.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0.0, f64::NAN))
+}

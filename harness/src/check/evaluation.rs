@@ -1,0 +1,95 @@
+//! Kernels from tables (S0 section 4.2.3) beside kernels by formula: how far apart a step comes out, and what it costs.
+use super::flow::{fluid, grid, mean, start_with};
+use super::outcome::table;
+use super::{Context, Figure};
+use crate::failure::Failure;
+use crate::memory::Heap;
+use crate::output::progress;
+use crate::timing::{Milliseconds, timed};
+use millpond_core::Particle;
+use millpond_core::scene::{Block, Dimension, Evaluation, Fluid, ModelChoice, Scene, places};
+
+/// Particles along an edge of a cube that is shaken by so much of its spacing: pairs at all distances.
+const EDGE: u16 = 16;
+const QUICK_EDGE: u16 = 8;
+const SPACING: f32 = 0.05;
+const JITTER: f32 = 0.4;
+const TIME_STEP: f32 = 0.001;
+
+/// Steps whose time is taken.
+const STEPS: u32 = 20;
+
+/// Our choice. A thousand straight pieces leave some 1e-6 of a kernel, and a velocity is what remains after thirty
+/// neighbours nearly balance.
+const DENSITY_LIMIT: f64 = 1e-4;
+const VELOCITY_LIMIT: f64 = 1e-3;
+
+/// A way to evaluate, and what came of it.
+struct Way {
+    evaluation: Evaluation,
+    /// After one step.
+    particles: Vec<Particle>,
+    times: Milliseconds,
+}
+
+/// Figures of both tables, for the thesis' kernels and for the modern ones.
+///
+/// # Errors
+/// A scene that cannot run.
+pub(super) fn figures(context: &Context) -> Result<(Vec<Figure>, String), Failure> {
+    let models = [("thesis", ModelChoice::default()), ("modern", ModelChoice::modern())];
+    let mut figures = Vec::new();
+    let mut lines = Vec::new();
+    let bar = progress("kernels, from tables", 3 * models.len() as u64);
+    for (name, model) in models {
+        let mut ways = Vec::new();
+        for evaluation in [Evaluation::Direct, Evaluation::Table, Evaluation::SquaredTable] {
+            ways.push(way(context, ModelChoice { evaluation, ..model })?);
+            bar.inc(1);
+        }
+        let Some((direct, tables)) = ways.split_first() else { continue };
+        let time = |times: Milliseconds| format!("{:.2}, {:.2}", times.min, times.median);
+        let nothing = || "-".to_owned();
+        lines.push([name.into(), format!("{:?}", direct.evaluation), nothing(), nothing(), time(direct.times)]);
+        for way in tables {
+            let [density, velocity] = apart(&direct.particles, &way.particles);
+            let what = format!("{name} kernels, {:?}", way.evaluation);
+            figures.push(Figure::below(format!("density off by, {what}"), density, DENSITY_LIMIT));
+            figures.push(Figure::below(format!("velocity off by, {what}"), velocity, VELOCITY_LIMIT));
+            let [density, velocity] = [density, velocity].map(|x| format!("{x:.1e}"));
+            lines.push([name.into(), format!("{:?}", way.evaluation), density, velocity, time(way.times)]);
+        }
+    }
+    bar.finish_and_clear();
+    let titles = ["kernels", "evaluation", "density off", "velocity off, over its rms", "ms a step, min and median"];
+    Ok((figures, table(titles, lines)))
+}
+
+fn way(context: &Context, model: ModelChoice) -> Result<Way, Failure> {
+    let edge = f32::from(if context.quick { QUICK_EDGE } else { EDGE }) * SPACING;
+    let water = Fluid { dynamic_viscosity: 1.0, ..Fluid::default() };
+    let block = Block { size: [edge; 3], jitter: JITTER, ..Block::default() };
+    let mut scene = Scene::of(Dimension::Three, SPACING, TIME_STEP, water, block);
+    scene.model = model;
+    scene.grid = grid(Dimension::Three, 16);
+    let mut heap = Heap::of(&scene);
+    let mut solver = start_with("kernels", &scene, places(&scene).collect(), &mut heap)?;
+    solver.step(&context.pool)?;
+    let particles = fluid(&solver);
+    let mut times = Vec::new();
+    for _ in 0..STEPS {
+        let (result, ms) = timed(|| solver.step(&context.pool));
+        result?;
+        times.push(ms);
+    }
+    Ok(Way { evaluation: model.evaluation, particles, times: Milliseconds::of(&times) })
+}
+
+/// Largest difference of a density, over itself, and of a velocity, over the rms speed.
+fn apart(direct: &[Particle], other: &[Particle]) -> [f64; 2] {
+    let speed = mean(direct, |particle| f64::from(particle.velocity.length_squared())).sqrt();
+    let pairs = || direct.iter().zip(other);
+    let density = pairs().map(|(a, b)| f64::from((a.density - b.density).abs() / a.density)).fold(0.0, f64::max);
+    let velocity = pairs().map(|(a, b)| f64::from(a.velocity.distance(b.velocity))).fold(0.0, f64::max);
+    [density, velocity / speed]
+}

@@ -1,0 +1,98 @@
+//! `hydrostatic`: the catalogue's case H1. A tank of water settles, and its pressure must be the weight of what is above.
+use super::column::{Column, Miss, Profile};
+use super::flow::{start_with, step, steps_to};
+use super::outcome::table;
+use super::{Context, Figure, Outcome};
+use crate::failure::Failure;
+use crate::memory::Heap;
+use millpond_core::scene::{DensityForm, Viscosity, WallPressure, Wind, places};
+
+const NAME: &str = "hydrostatic";
+
+/// m; the catalogue's middle level, and half of its particles.
+const SPACING: f32 = 0.02;
+const QUICK_SPACING: f32 = 0.03;
+
+/// Still air that takes the waves out of the water, 1/s: the state at rest does not feel it, and the sound of letting the
+/// water go, a period of 0.4 s, is gone long before the profile is taken.
+const DRAG: f32 = 10.0;
+
+/// Artificial viscosity, for what is too small for the drag.
+const ALPHA: f32 = 0.1;
+
+/// When it has settled and when it ends, s.
+const SETTLED: f64 = 2.0;
+const END: f64 = 3.0;
+
+/// Steps between two samples of the mean.
+const STEPS_PER_SAMPLE: u64 = 5;
+
+/// Of the issue: 2 % of the pressure at the floor, in every layer but the two at the floor and at the surface.
+const LIMIT: f64 = 0.02;
+
+/// What varies: the forms that a wall and the density can have. The first two have a limit.
+const FORMS: [(WallPressure, DensityForm); 4] = [
+    (WallPressure::Mirrored, DensityForm::Summation),
+    (WallPressure::QuasiFluid, DensityForm::Summation),
+    (WallPressure::Mirrored, DensityForm::Continuity),
+    (WallPressure::QuasiFluid, DensityForm::Continuity),
+];
+const LIMITED: usize = 2;
+
+pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
+    let column = Column::of_catalogue(if context.quick { QUICK_SPACING } else { SPACING });
+    let mut figures = Vec::new();
+    let mut lines = Vec::new();
+    for (i, (wall, density)) in FORMS.into_iter().enumerate() {
+        let result = settle(context, &column, wall, density);
+        let name = format!("{}, {}", wall.name(), density.name());
+        let words = match (&result, i < LIMITED) {
+            // what has no limit may fail: that is what the note is there to say
+            (Err(Failure::Step(error)), false) => [error.to_string(), String::new()],
+            (Ok((miss, sunk)), _) => {
+                let percent = |x: f64| format!("{:.2} %", x * 100.0);
+                [format!("{}, rms {}", percent(miss.largest), percent(miss.rms)), percent(*sunk)]
+            }
+            (Err(_), _) => [String::new(), String::new()],
+        };
+        let [off, sunk] = words;
+        lines.push([name.clone(), off, sunk]);
+        match result {
+            Ok((miss, _)) if i < LIMITED => {
+                figures.push(Figure::below(format!("pressure off by, {name}"), miss.largest, LIMIT));
+            }
+            Ok(_) => {}
+            Err(Failure::Step(_)) if i >= LIMITED => {}
+            Err(failure) => return Err(failure),
+        }
+    }
+    let titles = ["walls, density", "largest miss of a layer, over rho g H", "sunk, over the mean height"];
+    Ok(Outcome::new(NAME, figures, vec![table(titles, lines)]))
+}
+
+/// How far the profile is off, and how far the water sank, as a share of its mean height.
+fn settle(
+    context: &Context,
+    column: &Column,
+    wall: WallPressure,
+    density: DensityForm,
+) -> Result<(Miss, f64), Failure> {
+    let mut scene = column.scene();
+    scene.model.wall_pressure = wall;
+    scene.model.density = density;
+    scene.model.viscosity = Viscosity::Artificial;
+    scene.fluid.alpha = ALPHA;
+    scene.fluid.beta = 0.0;
+    scene.wind = Some(Wind { velocity: [0.0; 3], drag: DRAG });
+    let mut heap = Heap::of(&scene);
+    let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
+    let title = format!("{NAME} {}", wall.name());
+    let mut profile = Profile::default();
+    step(&title, context, &mut solver, steps_to(&scene, END), STEPS_PER_SAMPLE, |solver| {
+        if solver.time() > SETTLED {
+            profile.add(solver);
+        }
+    })?;
+    let full = f64::from(column.depth) / 2.0;
+    Ok((profile.miss(column), 1.0 - Column::mean_height(&solver) / full))
+}

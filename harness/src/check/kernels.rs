@@ -1,0 +1,169 @@
+//! `kernels`: every kernel by quadrature, by differences, on lattices against the catalogue's table, and from tables.
+use super::flow::larger;
+use super::outcome::table;
+use super::reference::{entry, number, rows};
+use super::{Context, Figure, Outcome, evaluation, lattice};
+use crate::failure::Failure;
+use millpond_core::kernel::{laplacian, slope, value};
+use millpond_core::scene::Kernel;
+use millpond_core::terms::kernel::kernel_w;
+use std::f64::consts::PI;
+
+const NAME: &str = "kernels";
+
+/// Of the issue: of the integral, which is 1.
+const NORMALISED: f64 = 1e-5;
+
+/// Of the catalogue: of W at no distance, whose table has eight digits.
+const AT_ZERO: f64 = 1e-6;
+
+/// Of the catalogue: of the largest slope, or Laplacian.
+const DIFFERENCES: f64 = 1e-4;
+
+/// Points of a quadrature by midpoints: the error of a kernel with a kink is their distance squared, 1e-9.
+const POINTS: u32 = 20_000;
+
+/// Half the distance of a central difference, and how far it stays away from the ends, where some kernels have edges.
+const STEP: f64 = 1e-5;
+const AWAY: f64 = 0.02;
+
+pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
+    let mut figures = Vec::new();
+    let mut lines = Vec::new();
+    let (mut slopes, mut laplacians, mut moments) = (0.0, 0.0, 0.0);
+    for kernel in Kernel::ALL.iter().copied() {
+        let off = dimensions(kernel).map(|d| (integral_of(kernel, d) - 1.0).abs()).fold(0.0, larger);
+        figures.push(Figure::below(format!("integral off 1, {}", kernel.name()), off, NORMALISED));
+        for d in [2, 3] {
+            slopes = larger(slopes, slope_error(kernel, d));
+            laplacians = larger(laplacians, laplacian_error(kernel, d));
+            moments = larger(moments, (laplacian_moment(kernel, d) / (2.0 * d as f64) - 1.0).abs());
+        }
+        let spread = |d| if kernel.has_value() { format!("{:.5}", second_moment(kernel, d)) } else { "-".into() };
+        let constant = |d| format!("{:.6}", kernel.normalisation(d));
+        lines.push([kernel.name().into(), constant(2), constant(3), format!("{off:.1e}"), spread(2), spread(3)]);
+    }
+    figures.push(Figure::below("slopes against differences, all kernels", slopes, DIFFERENCES));
+    figures.push(Figure::below("Laplacians against differences, all kernels", laplacians, DIFFERENCES));
+    figures.push(Figure::below("second moment of the Laplacian off 2 d, all kernels", moments, NORMALISED));
+    figures.push(Figure::below("W at no distance against the catalogue", at_zero()?, AT_ZERO));
+    let mut notes =
+        vec![table(["kernel", "c in 2D", "c in 3D", "integral off", "second moment of W over H^2, 2D", "3D"], lines)];
+    let (more, note) = lattice::figures()?;
+    figures.extend(more);
+    notes.push(note);
+    let (more, note) = evaluation::figures(context)?;
+    figures.extend(more);
+    notes.push(note);
+    Ok(Outcome::new(NAME, figures, notes))
+}
+
+/// Those that a kernel serves: the form of the viscosity kernel is another one in each, and it has none in 1D.
+fn dimensions(kernel: Kernel) -> impl Iterator<Item = usize> {
+    let least = if kernel.has_value() { 1 } else { 2 };
+    least..=3
+}
+
+/// Integral from 0 to 1 by midpoints: another rule than the one by which core finds the constants.
+fn integral(f: impl Fn(f64) -> f64) -> f64 {
+    let width = 1.0 / f64::from(POINTS);
+    (0..POINTS).map(|i| f((f64::from(i) + 0.5) * width)).sum::<f64>() * width
+}
+
+/// Surface of the unit sphere.
+fn sphere(d: usize) -> f64 {
+    match d {
+        1 => 2.0,
+        2 => 2.0 * PI,
+        _ => 4.0 * PI,
+    }
+}
+
+/// The value as it is stepped, in f32.
+fn stepped_value(kernel: Kernel, q: f64) -> f64 {
+    f64::from(kernel_w::<f32>(kernel as u32, (q * q) as f32))
+}
+
+/// Integral of W over space. Of one that is infinite at no distance by its slope: `-1/d` of the integral of `r W'`.
+fn integral_of(kernel: Kernel, d: usize) -> f64 {
+    let power = |q: f64, n: usize| q.powi(n as i32);
+    let whole = if kernel.has_value() {
+        integral(|q| stepped_value(kernel, q) * power(q, d - 1))
+    } else {
+        integral(|q| slope(kernel, d, q) * power(q, d)) / d as f64
+    };
+    kernel.normalisation(d) * sphere(d) * whole
+}
+
+/// Mean square distance of W, over H^2: how far it spreads, by which kernels can be compared (Dehnen and Aly 2012).
+fn second_moment(kernel: Kernel, d: usize) -> f64 {
+    let whole = integral(|q| stepped_value(kernel, q) * q.powi(d as i32 + 1));
+    kernel.normalisation(d) * sphere(d) * whole
+}
+
+/// Integral of `r^2` times the Laplacian: 2 d, so that a Laplacian is exact on a quadratic field. What a kernel has left at
+/// the edge of its support, as the Gaussian has, belongs to it.
+fn laplacian_moment(kernel: Kernel, d: usize) -> f64 {
+    let inside = 1.0 - 1e-12;
+    let edge = if kernel.has_value() { slope(kernel, d, inside) + 2.0 * value(kernel, inside) } else { 0.0 };
+    let whole = integral(|q| laplacian(kernel, d, q) * q.powi(d as i32 + 1)) + edge;
+    kernel.normalisation(d) * sphere(d) * whole
+}
+
+/// Points of the support away from its ends.
+fn points() -> impl Iterator<Item = f64> {
+    let count = 500u32;
+    (0..=count).map(move |i| AWAY + (1.0 - 2.0 * AWAY) * f64::from(i) / f64::from(count))
+}
+
+/// Largest miss of the slope against central differences of the value, over the largest slope.
+fn slope_error(kernel: Kernel, d: usize) -> f64 {
+    if !kernel.has_value() {
+        return 0.0;
+    }
+    let difference = |q: f64| (value(kernel, q - STEP) - value(kernel, q + STEP)) / (2.0 * STEP);
+    relative(points().map(|q| [slope(kernel, d, q), difference(q)]))
+}
+
+/// Largest miss of the Laplacian against central differences of the slope, `-(s' + (d - 1) s / q)`, over the largest.
+fn laplacian_error(kernel: Kernel, d: usize) -> f64 {
+    let difference = |q: f64| {
+        let bend = (slope(kernel, d, q + STEP) - slope(kernel, d, q - STEP)) / (2.0 * STEP);
+        -(bend + (d - 1) as f64 * slope(kernel, d, q) / q)
+    };
+    relative(points().map(|q| [laplacian(kernel, d, q), difference(q)]))
+}
+
+/// Largest difference of the pairs, over their largest first number.
+fn relative(pairs: impl Iterator<Item = [f64; 2]>) -> f64 {
+    let (miss, largest) =
+        pairs.fold((0.0, 0.0), |(miss, largest), [a, b]| (larger(miss, (a - b).abs()), larger(largest, a.abs())));
+    miss / largest
+}
+
+/// The kernel that the catalogue's tables call so.
+pub(super) fn kernel_called(name: &str) -> Option<Kernel> {
+    match name {
+        "cubic spline" => Some(Kernel::CubicSpline),
+        "Wendland C2" => Some(Kernel::WendlandC2),
+        "Wendland C4" => Some(Kernel::WendlandC4),
+        "poly6" => Some(Kernel::Poly6),
+        "spiky" => Some(Kernel::Spiky),
+        _ => None,
+    }
+}
+
+/// Largest relative miss of W at no distance against the catalogue's table.
+fn at_zero() -> Result<f64, Failure> {
+    let mut worst = 0.0;
+    for row in rows(include_str!("../../data/kernels.csv")) {
+        let Some(kernel) = kernel_called(entry(&row, 0)?) else { continue };
+        let support = number(entry(&row, 1)?)?;
+        for d in [2, 3] {
+            let expected = number(entry(&row, d)?)?;
+            let found = kernel.normalisation(d) * value(kernel, 0.0) / support.powi(d as i32);
+            worst = larger(worst, (found / expected - 1.0).abs());
+        }
+    }
+    Ok(worst)
+}

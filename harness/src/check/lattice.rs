@@ -1,0 +1,118 @@
+//! Sums of kernels over lattices, against the catalogue's table: what density, gradient and Laplacian come to where the
+//! particles start.
+use super::Figure;
+use super::kernels::kernel_called;
+use super::outcome::table;
+use super::reference::{entry, number, rows};
+use crate::failure::Failure;
+use millpond_core::kernel::{slope, value};
+use millpond_core::scene::Kernel;
+
+/// Of the catalogue, beyond what rounding left in its four digits.
+const LIMIT: f64 = 2e-6;
+
+/// Cells of a lattice to each side: the widest support of the table spans four.
+const REACH: i32 = 6;
+
+/// Those of the table; a particle has the volume 1.
+#[derive(Clone, Copy, Debug)]
+enum Lattice {
+    Square,
+    Hex,
+    Cubic,
+}
+
+impl Lattice {
+    fn called(name: &str) -> Option<Lattice> {
+        match name {
+            "square" => Some(Lattice::Square),
+            "hex" => Some(Lattice::Hex),
+            "cubic" => Some(Lattice::Cubic),
+            _ => None,
+        }
+    }
+
+    fn dimension(self) -> usize {
+        if matches!(self, Lattice::Cubic) { 3 } else { 2 }
+    }
+
+    fn points(self) -> Vec<[f64; 3]> {
+        let layers = if matches!(self, Lattice::Cubic) { REACH } else { 0 };
+        // sides of triangles of area 1/2
+        let side = (2.0 / 3f64.sqrt()).sqrt();
+        let mut points = Vec::new();
+        for z in -layers..=layers {
+            for y in -REACH..=REACH {
+                for x in -REACH..=REACH {
+                    let [x, y, z] = [x, y, z].map(f64::from);
+                    points.push(match self {
+                        Lattice::Hex => [side * (x + y / 2.0), side * y * 3f64.sqrt() / 2.0, 0.0],
+                        _ => [x, y, z],
+                    });
+                }
+            }
+        }
+        points
+    }
+}
+
+/// Errors around a point of the lattice with this support: of `sum V W`, of `sum V (x_b - x_a) dW/dx`, and of Morris'
+/// Laplacian `sum 2 V (x_ab . grad W) / r^2 (A_a - A_b)` of `A = x^2`, which is 2, over itself.
+fn errors(lattice: Lattice, kernel: Kernel, support: f64) -> [f64; 3] {
+    let d = lattice.dimension();
+    let c = kernel.normalisation(d) / support.powi(d as i32);
+    let mut sums = [0.0; 3];
+    for [x, y, z] in lattice.points() {
+        let r = (x * x + y * y + z * z).sqrt();
+        let q = r / support;
+        if q >= 1.0 {
+            continue;
+        }
+        sums[0] += c * value(kernel, q);
+        if r > 0.0 {
+            let fall = c / support * slope(kernel, d, q);
+            sums[1] += x * (x / r) * fall;
+            sums[2] += 2.0 * (r * fall) / (r * r) * (x * x) / 2.0;
+        }
+    }
+    sums.map(|sum| sum - 1.0)
+}
+
+/// Half a unit of the last digit of a number such as `1.234e-5`.
+fn rounding(word: &str) -> Result<f64, Failure> {
+    let (digits, power) = word.split_once('e').unwrap_or((word, "0"));
+    let places = digits.split_once('.').map_or(0, |(_, places)| places.len());
+    Ok(0.5 * 10f64.powf(number(power)? - places as f64))
+}
+
+/// Figures of the three sums over the whole table, and what they are.
+///
+/// # Errors
+/// A table that cannot be read.
+pub(super) fn figures() -> Result<(Vec<Figure>, String), Failure> {
+    let mut worst = [0.0f64; 3];
+    let mut lines = Vec::new();
+    for row in rows(include_str!("../../data/lattice.csv")) {
+        let (name, kernel_name) = (entry(&row, 0)?, entry(&row, 1)?);
+        let (Some(lattice), Some(kernel)) = (Lattice::called(name), kernel_called(kernel_name)) else { continue };
+        let h = number(entry(&row, 2)?)?;
+        let found = errors(lattice, kernel, 2.0 * h);
+        for (i, worst) in worst.iter_mut().enumerate() {
+            let word = entry(&row, 3 + i)?;
+            let miss = ((found[i] - number(word)?).abs() - rounding(word)?).max(0.0);
+            *worst = worst.max(if miss.is_nan() { f64::INFINITY } else { miss });
+        }
+        lines.push([name.into(), kernel.name().into(), h.to_string(), number_of(found[0]), number_of(found[1])]);
+    }
+    let rows = lines.len();
+    let names = ["density sums", "gradient sums", "Morris' Laplacian sums"];
+    let figure = |(name, worst): (&str, f64)| {
+        Figure::below(format!("{name} on lattices against the catalogue, {rows} rows"), worst, LIMIT)
+    };
+    let figures = names.into_iter().zip(worst).map(figure).collect();
+    Ok((figures, table(["lattice", "kernel", "h over spacing", "density", "gradient"], lines)))
+}
+
+fn number_of(x: f64) -> String {
+    format!("{x:+.2e}")
+}

@@ -1,0 +1,87 @@
+//! `still-tank`: the catalogue's case H2. A tank that starts at rest, in the density that its weight asks for, stays so.
+use super::column::Column;
+use super::flow::{rms_speed, start_with, step, steps_to};
+use super::outcome::table;
+use super::{Context, Figure, Outcome};
+use crate::failure::Failure;
+use crate::memory::Heap;
+use millpond_core::scene::{DensityForm, Viscosity, places};
+
+const NAME: &str = "still-tank";
+
+/// m.
+const SPACING: f32 = 0.02;
+const QUICK_SPACING: f32 = 0.03;
+
+/// Artificial viscosity; with the support radius in place of Monaghan's h it is twice his 0.1. It ends the trembling of
+/// single rows; the slow sound of the whole column it leaves alone.
+const ALPHA: f32 = 0.1;
+
+/// s, and the part at its end over which the largest speed counts: the sound of the column has a period of 0.4 s, and a
+/// single state might show it just turning round.
+const END: f64 = 5.0;
+const WINDOW: f64 = 0.5;
+const STEPS_PER_SAMPLE: u64 = 10;
+
+/// Of the issue: 1 % of the speed of a long wave, `sqrt(g H)`.
+const LIMIT: f64 = 0.01;
+
+/// The first one has limits.
+const FORMS: [DensityForm; 2] = [DensityForm::Continuity, DensityForm::Summation];
+
+/// What a run came to.
+struct Rest {
+    /// Largest rms speed of the window, over that of a wave.
+    speed: f64,
+    /// Particles that are not in the tank any more.
+    lost: usize,
+    /// How far the water sank, in spacings.
+    sunk: f64,
+}
+
+pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
+    let column = Column::of_catalogue(if context.quick { QUICK_SPACING } else { SPACING });
+    let mut figures = Vec::new();
+    let mut lines = Vec::new();
+    for (i, density) in FORMS.into_iter().enumerate() {
+        match rest(context, &column, density) {
+            Ok(Rest { speed, lost, sunk }) => {
+                if i == 0 {
+                    figures.push(Figure::below("rms speed over sqrt(g H)", speed, LIMIT));
+                    figures.push(Figure::below("particles lost", lost as f64, 0.0));
+                }
+                let speed = format!("{:.3} %", speed * 100.0);
+                lines.push([density.name().into(), speed, lost.to_string(), format!("{sunk:.2}")]);
+            }
+            Err(Failure::Step(error)) if i > 0 => {
+                lines.push([density.name().into(), error.to_string(), String::new(), String::new()]);
+            }
+            Err(failure) => return Err(failure),
+        }
+    }
+    let titles = ["density", "rms speed over sqrt(g H)", "lost", "mean height sunk, spacings"];
+    Ok(Outcome::new(NAME, figures, vec![table(titles, lines)]))
+}
+
+fn rest(context: &Context, column: &Column, density: DensityForm) -> Result<Rest, Failure> {
+    let mut scene = column.scene();
+    scene.model.density = density;
+    scene.model.hydrostatic_start = true;
+    scene.model.viscosity = Viscosity::Artificial;
+    scene.fluid.alpha = ALPHA;
+    scene.fluid.beta = 0.0;
+    let mut heap = Heap::of(&scene);
+    let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
+    let start = Column::mean_height(&solver);
+    let mut speed = 0.0f64;
+    step(NAME, context, &mut solver, steps_to(&scene, END), STEPS_PER_SAMPLE, |solver| {
+        if solver.time() > END - WINDOW {
+            speed = speed.max(rms_speed(solver));
+        }
+    })?;
+    Ok(Rest {
+        speed: speed / column.wave_speed(),
+        lost: column.lost(&solver),
+        sunk: (start - Column::mean_height(&solver)) / f64::from(column.spacing),
+    })
+}
