@@ -5,12 +5,12 @@
 use millpond::memory::Heap;
 use millpond::pool::Pool;
 use millpond_core::scene::{GridStructure, Scene};
-use millpond_core::{Plan, Simd, Solver};
+use millpond_core::{Needs, Plan, Simd, Solver};
 
 mod support;
 
 fn hashes(scene: &Scene, plan: Plan, simd: Simd, threads: usize, list: bool, steps: usize) -> Vec<u64> {
-    let mut heap = Heap::of(scene);
+    let mut heap = Heap::with(Needs::by_plan(scene, &plan));
     let mut memory = heap.lend();
     if !list {
         memory.scratch.list = &mut [];

@@ -44,7 +44,7 @@ fn for_no_particle_and_for_one() {
     scene.blocks.clear();
     check("bits_same_on_gpu, no particle", &scene, 3, 1);
     let corner = [0.5, 1.0, 0.0];
-    let block = Block { corner, size: [scene.particle_spacing; 3], velocity: [0.0; 3], jitter: 0.0 };
+    let block = Block { corner, size: [scene.particle_spacing; 3], ..Block::default() };
     scene.blocks = [block].into_iter().collect();
     assert_eq!(scene.particle_count(), 1);
     check("bits_same_on_gpu, one particle", &scene, 100, 10);
@@ -60,7 +60,7 @@ fn for_a_pair_at_the_very_edge_of_the_support() {
     let p = parameters(&scene);
     assert!(apart * apart * p.inverse_support_squared >= 1.0 && apart * p.inverse_support < 1.0, "the case there was");
     let points = [[0.0, 0.0, 0.0], [0.0, apart, 0.0], [0.0, 0.01, 0.0], [0.0, apart + 0.01, 0.0]];
-    let places = points.map(|position| Place { position, velocity: [position[1], 1.0 - position[1], 0.3] });
+    let places = points.map(|position| Place::at(position, [position[1], 1.0 - position[1], 0.3]));
     same_on_all_paths("edge of the support", &scene, &places);
 }
 
@@ -96,7 +96,7 @@ fn with_every_term_that_the_plan_leaves_out() {
     let Some(gpu) = device("bits_same_on_gpu, everything", Mode::Strict) else { return };
     let scene = support::scaled("thesis-cube", 500).file.scene;
     let hashes = [Plan::of(&scene), Plan::everything(&scene)].map(|plan| {
-        let mut heap = Heap::of(&scene);
+        let mut heap = Heap::with(Needs::by_plan(&scene, &plan));
         let places = millpond_core::scene::places(&scene);
         let cpu = Solver::with_particles(&scene, plan, scene.particle_count(), places, heap.lend()).expect("a scene");
         let mut fluid = GpuSolver::new(&gpu, &cpu).expect("a device that takes it");

@@ -1,83 +1,126 @@
-//! Promise: every kernel integrates to one in 2D and 3D, its slope is its derivative, and it vanishes at the support.
+//! Promise: every kernel integrates to one in 1D, 2D and 3D, its slope is its derivative and its Laplacian theirs, and it
+//! vanishes at the support.
 //!
-//! Quadrature and differences are in f64 over the f32 terms themselves.
+//! Quadrature and differences are in f64 over the f32 terms themselves. `millpond check kernels` says more.
 use approx::assert_relative_eq;
-use millpond_core::kernel::{near_slope_constant, viscosity_laplacian_constant};
-use millpond_core::scene::{Dimension, Kernel};
-use millpond_core::terms::kernel::{kernel_slope, kernel_w, near_slope, viscosity_laplacian};
+use millpond_core::kernel::{laplacian, near_slope_constant, slope, value};
+use millpond_core::layout::Model;
+use millpond_core::scene::Kernel;
+use millpond_core::terms::kernel::{kernel_slope, kernel_w};
 use std::f64::consts::PI;
-
-const DIMENSIONS: [Dimension; 2] = [Dimension::Two, Dimension::Three];
 
 /// Integral over the unit ball of `f(q)`, by the midpoint rule on 20 000 shells: its error is of second order in the
 /// shell's width, 1e-9 here, and single precision leaves about 1e-7.
-fn ball(dimension: Dimension, f: impl Fn(f32) -> f32) -> f64 {
+fn ball(d: usize, f: impl Fn(f32) -> f32) -> f64 {
     let shells = 20_000;
     let width = 1.0 / f64::from(shells);
-    let sum: f64 = (0..shells)
-        .map(|i| {
-            let q = (f64::from(i) + 0.5) * width;
-            let surface = if dimension == Dimension::Two { 2.0 * PI * q } else { 4.0 * PI * q * q };
-            surface * f64::from(f(q as f32))
-        })
-        .sum();
-    sum * width
+    let surface = |q: f64| [2.0, 2.0 * PI * q, 4.0 * PI * q * q][d - 1];
+    let shell = |i: i32| {
+        let q = (f64::from(i) + 0.5) * width;
+        surface(q) * f64::from(f(q as f32))
+    };
+    (0..shells).map(shell).sum::<f64>() * width
+}
+
+fn model(d: usize) -> Model {
+    Model { layers: u32::from(d == 3), ..bytemuck::Zeroable::zeroed() }
 }
 
 #[test]
 fn every_kernel_integrates_to_one() {
-    for dimension in DIMENSIONS {
-        for kernel in Kernel::ALL {
-            let integral = ball(dimension, |q| kernel_w(kernel as u32, q * q)) * kernel.normalisation(dimension);
-            assert_relative_eq!(integral, 1.0, epsilon = 1e-6);
+    for &kernel in Kernel::ALL {
+        for d in if kernel.has_value() { 1..=3 } else { 2..=3 } {
+            let whole = if kernel.has_value() {
+                ball(d, |q| kernel_w(kernel as u32, q * q))
+            } else {
+                // by parts: its value at no distance is infinite
+                ball(d, |q| kernel_slope(&model(d), kernel as u32, q) * q) / d as f64
+            };
+            // the Gaussian's exponential is good to 2e-6
+            assert_relative_eq!(whole * kernel.normalisation(d), 1.0, epsilon = 4e-6);
         }
     }
 }
 
 #[test]
-fn every_slope_is_minus_the_derivative() {
-    for kernel in Kernel::ALL {
-        let w = |q: f64| f64::from(kernel_w(kernel as u32, (q * q) as f32));
-        let steepest = (1..1000).map(|i| kernel_slope(kernel as u32, i as f32 / 1000.0)).fold(0.0, f32::max);
-        for i in 1..100 {
-            // a central difference over 2 d errs by d^2 w''' / 6 and by rounding / d: both under 1e-4 of the steepest here
-            let (q, d) = (f64::from(i) / 100.0, 2e-3);
-            let difference = (w(q - d) - w(q + d)) / (2.0 * d);
-            let slope = f64::from(kernel_slope(kernel as u32, q as f32));
-            assert!((difference - slope).abs() < 2e-4 * f64::from(steepest), "{kernel:?} at {q}: {difference} {slope}");
+fn constants_are_the_literatures() {
+    // 1D, 2D, 3D, of W = c / H^d w(q) with the terms' w; S1 section 4.1 for the spline, whose H is 2 h
+    let known = [
+        (Kernel::CubicSpline, [1.0 / 6.0 * 2.0, 5.0 / (14.0 * PI) * 4.0, 1.0 / (4.0 * PI) * 8.0]),
+        (Kernel::Poly6, [35.0 / 32.0, 4.0 / PI, 315.0 / (64.0 * PI)]),
+        (Kernel::Spiky, [2.0, 10.0 / PI, 15.0 / PI]),
+        (Kernel::Lucy, [5.0 / 4.0, 5.0 / PI, 105.0 / (16.0 * PI)]),
+        (Kernel::Clavet, [3.0 / 2.0, 6.0 / PI, 15.0 / (2.0 * PI)]),
+    ];
+    for (kernel, constants) in known {
+        for (i, constant) in constants.into_iter().enumerate() {
+            assert_relative_eq!(kernel.normalisation(i + 1), constant, max_relative = 1e-13);
+        }
+    }
+    // the catalogue's 7 / (4 pi), 21 / (16 pi), 9 / (4 pi), 495 / (256 pi) have the support 2 h; ours w of C4 is 3 times theirs
+    assert_relative_eq!(Kernel::WendlandC2.normalisation(2), 7.0 / PI, max_relative = 1e-13);
+    assert_relative_eq!(Kernel::WendlandC2.normalisation(3), 21.0 / (2.0 * PI), max_relative = 1e-13);
+    assert_relative_eq!(Kernel::WendlandC4.normalisation(2), 9.0 / PI / 3.0, max_relative = 1e-13);
+    assert_relative_eq!(Kernel::WendlandC4.normalisation(3), 495.0 / (32.0 * PI) / 3.0, max_relative = 1e-13);
+    // its 1/6 is a literal of single precision
+    assert_relative_eq!(Kernel::Viscosity.normalisation(2), 40.0 / PI, max_relative = 1e-7);
+    assert_relative_eq!(Kernel::Viscosity.normalisation(3), 15.0 / (2.0 * PI), max_relative = 1e-13);
+    let cut = 1.0 - (-9f64).exp();
+    assert_relative_eq!(Kernel::Gaussian.normalisation(2), 9.0 / (PI * cut), max_relative = 1e-6);
+}
+
+#[test]
+fn every_slope_is_minus_the_derivative_and_the_laplacian_that_of_the_slope() {
+    for &kernel in Kernel::ALL {
+        for d in [2, 3] {
+            // central differences over 2 s in f64: s^2 w''' / 6 is what they leave, and the Gaussian's series 2e-6 of its own
+            let s = 1e-4;
+            let steepest = (5..100).map(|i| slope(kernel, d, f64::from(i) / 100.0)).fold(0.0, f64::max);
+            for i in 5..100 {
+                let q = f64::from(i) / 100.0 + 0.0013;
+                if kernel.has_value() {
+                    let difference = (value(kernel, q - s) - value(kernel, q + s)) / (2.0 * s);
+                    let error = (difference - slope(kernel, d, q)).abs();
+                    assert!(error < 1e-5 * steepest, "{kernel:?} in {d}D at {q}: {difference}");
+                }
+                let curvature = (slope(kernel, d, q - s) - slope(kernel, d, q + s)) / (2.0 * s);
+                let want = curvature - (d - 1) as f64 * slope(kernel, d, q) / q;
+                let error = (want - laplacian(kernel, d, q)).abs();
+                assert!(error < 1e-4 * steepest / q, "{kernel:?} in {d}D at {q}: {want}");
+            }
         }
     }
 }
 
 #[test]
 fn every_kernel_falls_to_zero_at_the_support() {
-    for kernel in Kernel::ALL {
+    for &kernel in Kernel::ALL {
         let w = |i: u16| kernel_w(kernel as u32, (f32::from(i) / 500.0).powi(2));
-        assert!((1..=500).all(|i| w(i) <= w(i - 1) && w(i) >= 0.0), "{kernel:?} falls");
+        if kernel.has_value() {
+            // the Gaussian ends in a step of e^-9
+            assert!((1..=500).all(|i| w(i) <= w(i - 1) && w(i) >= 0.0), "{kernel:?} falls");
+        }
         for q in [1.0, 1.0 + f32::EPSILON, 1.5, 3.0, 1e30] {
-            assert_eq!(
-                (kernel_w(kernel as u32, q * q), kernel_slope(kernel as u32, q)),
-                (0.0, 0.0),
-                "{kernel:?} at {q}"
-            );
+            let slope = kernel_slope(&model(3), kernel as u32, q);
+            let value = if kernel.has_value() { kernel_w(kernel as u32, q * q) } else { 0.0 };
+            assert_eq!((value, slope), (0.0, 0.0), "{kernel:?} at {q}");
         }
     }
-    assert_eq!((near_slope(1.0f32), viscosity_laplacian(1.0f32)), (0.0, 0.0));
 }
 
 #[test]
 fn the_near_kernel_is_spikys_with_the_next_power() {
     // errata of S0 section 3.1: 45 / (pi H^4) in 3D and 30 / (pi H^3) in 2D, for the slope (1 - q)^3
-    assert_relative_eq!(near_slope_constant(Dimension::Three), 45.0 / PI, max_relative = 1e-15);
-    assert_relative_eq!(near_slope_constant(Dimension::Two), 30.0 / PI, max_relative = 1e-15);
-    assert_relative_eq!(near_slope(0.5f32), 0.125);
+    assert_relative_eq!(near_slope_constant(3), 45.0 / PI, max_relative = 1e-13);
+    assert_relative_eq!(near_slope_constant(2), 30.0 / PI, max_relative = 1e-13);
+    assert_relative_eq!(millpond_core::terms::near::near_slope_thesis(0.5f32), 0.125);
 }
 
 #[test]
 fn the_viscosity_laplacian_is_exact_on_a_quadratic_field() {
     // sum V (r^2) laplacian W = 2 d: the Laplacian of x^2 + y^2 (+ z^2), which fixes the constant
-    for dimension in DIMENSIONS {
-        let moment = ball(dimension, |q| q * q * viscosity_laplacian(q)) * viscosity_laplacian_constant(dimension);
-        assert_relative_eq!(moment, 2.0 * dimension.count() as f64, epsilon = 1e-6);
+    for d in [2, 3] {
+        let moment = ball(d, |q| q * q * laplacian(Kernel::Viscosity, d, f64::from(q)) as f32);
+        assert_relative_eq!(moment * Kernel::Viscosity.normalisation(d), 2.0 * d as f64, epsilon = 1e-6);
     }
 }

@@ -6,7 +6,8 @@ use approx::{assert_abs_diff_eq, assert_relative_eq};
 use millpond_core::arithmetic::real::vec3;
 use millpond_core::guided::support_radius;
 use millpond_core::scene::{Dimension, Kernel, Scene};
-use millpond_core::terms::kernel::{cubic_spline_slope, cubic_spline_w, kernel_w};
+use millpond_core::terms::kernel::cubic_spline::{cubic_spline_slope, cubic_spline_w};
+use millpond_core::terms::kernel::kernel_w;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
@@ -45,13 +46,13 @@ fn dimensions() -> [(Dimension, f64); 2] {
 
 /// S1's W, from the term; its support is 2 h.
 fn w(dimension: Dimension, r: f64) -> f64 {
-    let constant = Kernel::CubicSpline.normalisation(dimension) / (2.0 * H).powi(dimension.count() as i32);
+    let constant = Kernel::CubicSpline.normalisation(dimension.count()) / (2.0 * H).powi(dimension.count() as i32);
     constant * f64::from(cubic_spline_w((r / (2.0 * H)) as f32))
 }
 
 /// Size of S1's gradient of W, from the term.
 fn slope(dimension: Dimension, r: f64) -> f64 {
-    let constant = Kernel::CubicSpline.normalisation(dimension) / (2.0 * H).powi(dimension.count() as i32 + 1);
+    let constant = Kernel::CubicSpline.normalisation(dimension.count()) / (2.0 * H).powi(dimension.count() as i32 + 1);
     constant * f64::from(cubic_spline_slope((r / (2.0 * H)) as f32))
 }
 
@@ -149,7 +150,7 @@ fn density_and_pressure_at_rest() {
             .iter()
             .map(|b| {
                 let q2 = b.iter().map(|x| f64::from(*x).powi(2)).sum::<f64>() / (4.0 * H * H);
-                let constant = Kernel::CubicSpline.normalisation(dimension) / (2.0 * H).powi(dimension.count() as i32);
+                let constant = Kernel::CubicSpline.normalisation(dimension.count()) / (2.0 * H).powi(dimension.count() as i32);
                 f64::from(kernel_w(Kernel::CubicSpline as u32, q2 as f32)) * constant * volume
             })
             .sum();

@@ -1,7 +1,7 @@
 //! Promise: the grid finds exactly the pairs that brute force finds, whatever the cloud, the structure and the wrapping.
 use millpond::memory::Heap;
 use millpond_core::guided::parameters;
-use millpond_core::scene::{Dimension, GridStructure, Scene};
+use millpond_core::scene::{Dimension, GridStructure, Periodic, Scene};
 use millpond_core::{Serial, Solver};
 
 mod support;
@@ -18,7 +18,12 @@ fn brute_force(scene: &Scene, points: &[[f32; 3]]) -> Vec<(u32, u32)> {
     let mut pairs = Vec::new();
     for (i, a) in points.iter().enumerate() {
         for (j, b) in points.iter().enumerate() {
-            let [x, y, z] = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+            let image = |axis: usize| {
+                let d = a[axis] - b[axis];
+                let period = parameters(scene).period[axis];
+                if period == 0.0 { d } else { [d - period, d, d + period].into_iter().min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(d) }
+            };
+            let [x, y, z] = [image(0), image(1), image(2)];
             if (x * x + y * y + z * z) * scale < 1.0 {
                 pairs.push((i as u32, j as u32));
             }
@@ -68,7 +73,7 @@ fn in_clouds_that_wrap_onto_each_other() {
     for dimension in [Dimension::Two, Dimension::Three] {
         // 960 cells are a multiple of 3, 4 and 32: two clouds that far apart share all their cells
         let mut points = cloud(3, 200, dimension, 0.0, 0.6);
-        let cell = 1.0 / parameters(&scene_in(dimension)).inverse_cell;
+        let cell = 1.0 / parameters(&scene_in(dimension)).inverse_cell[0];
         points.extend(cloud(3, 200, dimension, 0.0, 0.6).iter().map(|p| [p[0] + 960.0 * cell, p[1], p[2]]));
         check("two clouds in the same cells", dimension, &points);
     }
@@ -77,7 +82,7 @@ fn in_clouds_that_wrap_onto_each_other() {
 #[test]
 fn for_points_exactly_on_cell_faces() {
     for dimension in [Dimension::Two, Dimension::Three] {
-        let cell = 1.0 / parameters(&scene_in(dimension)).inverse_cell;
+        let cell = 1.0 / parameters(&scene_in(dimension)).inverse_cell[0];
         // half a cell apart, on faces, edges and corners, and one ULP beside them
         let layers = if dimension == Dimension::Two { 0..=0 } else { -3..=3 };
         let mut points = Vec::new();
@@ -107,4 +112,22 @@ fn after_walls_have_moved_particles_across_cell_faces() {
     solver.each_pair(|a, b| pairs.push((a, b)));
     pairs.sort_unstable();
     assert_eq!(pairs, brute_force(&scene, &points));
+}
+
+#[test]
+fn across_the_seams_of_a_periodic_domain() {
+    for (dimension, axes) in [(Dimension::Two, [true, false, false]), (Dimension::Two, [true; 3]), (Dimension::Three, [true; 3])] {
+        let mut scene = scene_in(dimension);
+        // 3 cells of 0.0931 m fit, and no fourth
+        let (low, high) = ([-0.1, 0.2, -0.3], [0.25, 0.55, 0.05]);
+        scene.periodic = Some(Periodic { low, high, axes });
+        let mut random = Random(5);
+        let mut at = |axis: usize| low[axis] + random.unit() * (high[axis] - low[axis]);
+        let flat = dimension == Dimension::Two;
+        let points: Vec<[f32; 3]> = (0..300).map(|_| [at(0), at(1), if flat { 0.0 } else { at(2) }]).collect();
+        let (want, got) = (brute_force(&scene, &points), by_grid(&scene, &points));
+        scene.periodic = None;
+        assert!(want.len() > brute_force(&scene, &points).len(), "pairs across the seams");
+        assert_eq!(want, got, "{dimension:?}, {axes:?}");
+    }
 }

@@ -12,7 +12,7 @@ use support::{device, heap_for};
 
 /// Particles of the thesis cube's fluid at these places.
 fn places(at: &[([f32; 3], [f32; 3])]) -> Vec<Place> {
-    at.iter().map(|&(position, velocity)| Place { position, velocity }).collect()
+    at.iter().map(|&(position, velocity)| Place::at(position, velocity)).collect()
 }
 
 /// Steps both backends until they refuse; asserts that they do so with `error`, after `steps` good steps, keeping the state.
@@ -71,7 +71,7 @@ fn a_particle_beyond_the_grids_range() {
 
 #[test]
 fn a_cell_with_more_particles_than_places() {
-    let mut scene = support::scene("thesis-cube", &["near_pressure=false"]).file.scene;
+    let mut scene = support::scene("thesis-cube", &["near_pressure=Off"]).file.scene;
     scene.grid.structure = GridStructure::CellLists { places: 3 };
     // three rest in cell (0, 0, 0) of 32 x 32 x 32, a fourth flies in from above: at 0.02 m a step it enters at the 5th
     let mut at = vec![([0.01, 0.01, 0.01], [0.0; 3]), ([0.05, 0.01, 0.05], [0.0; 3]), ([0.01, 0.01, 0.08], [0.0; 3])];
@@ -92,11 +92,11 @@ fn a_cell_with_more_particles_than_places() {
 #[test]
 fn a_quantity_that_is_not_finite_any_more() {
     // so stiff a fluid that the first pair to meet overflows; apart, nothing acts. Both overflow: the smaller id is named
-    let set = ["speed_of_sound=1e18", "near_pressure=false", "pressure_kernel=CubicSpline"];
+    let set = ["speed_of_sound=1e18", "near_pressure=Off", "pressure_kernel=CubicSpline"];
     let scene = support::scene("thesis-cube", &set).file.scene;
     // particle 0 stands in the cell of particle 1, out of everyone's reach, and must not be drawn in by a lane beside it
     let at = [[4.945, 0.0, 0.0], [5.025, 0.06, 0.06], [5.125, 0.06, 0.06]];
-    let cell = |x: [f32; 3]| x.map(|x| (x * millpond_core::guided::parameters(&scene).inverse_cell).floor());
+    let cell = |x: [f32; 3]| x.map(|x| (x * millpond_core::guided::parameters(&scene).inverse_cell[0]).floor());
     assert_eq!(cell(at[0]), cell(at[1]));
     let places = places(&[(at[0], [0.0; 3]), (at[1], [0.0; 3]), (at[2], [-50.0, 0.0, 0.0])]);
     let error = StepError::NotFinite { particle: 1, quantity: Quantity::Velocity, step: 1 };

@@ -1,7 +1,7 @@
 //! Promise: the text of the terms is the whole physics on both sides. Every pass compiles as WGSL without a device, uses
 //! no builtin whose bits are a driver's affair, and folders and lists of passes agree.
 use millpond_core::layout::Model;
-use millpond_core::terms::TEXTS;
+use millpond_core::terms::texts;
 use millpond_core::{Pass, Plan};
 use millpond_gpu::program::{Words, library, program};
 use millpond_gpu::strict::validate;
@@ -91,7 +91,7 @@ fn every_function_of_the_terms_is_in_the_wgsl_and_defined_once() {
     let read = validate(&library(&model(), Words::Native)).expect("it compiles");
     let defined: Vec<String> = functions(&read).map(|(name, ..)| name).collect();
     let mut wanted = 0;
-    for (file, text) in TEXTS {
+    for (file, text) in texts() {
         for line in text.lines().filter(|line| line.starts_with("pub fn ")) {
             let name = line["pub fn ".len()..].split(['<', '(']).next().unwrap_or_default();
             assert_eq!(defined.iter().filter(|d| *d == name).count(), 1, "{file}: {name}");
@@ -127,7 +127,7 @@ fn every_term_file_is_a_text() {
     let mut files: Vec<String> = files.map(|f| f.file_stem().expect("a name").to_string_lossy().into_owned()).collect();
     files.retain(|name| name != "mod");
     files.sort();
-    let mut texts: Vec<String> = TEXTS.iter().map(|(name, _)| (*name).to_owned()).collect();
+    let mut texts: Vec<String> = texts().map(|(name, _)| (*name).to_owned()).collect();
     texts.sort();
     assert_eq!(files, texts);
 }

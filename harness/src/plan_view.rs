@@ -111,14 +111,14 @@ pub fn view(named: &Named, pool: &Pool, steps: u32) -> Result<PlanView, Failure>
     let used = needs.bytes();
     let [by_plan, by_everything] = time(named, pool, steps)?;
     let passes = plan.passes().map(|p| PassView { name: p.name(), terms: plan.terms(p).into_iter().collect() });
-    let bytes_of = |what: &str| if what == "cell lists" { with_lists(scene) - used } else { 0 };
+    let bytes_of = |what: &str| bytes_saved(scene, needs, what);
     let left_out = plan.left_out();
     let left_out = left_out.iter().map(|l| LeftOutView { what: l.what, why: l.why, bytes: bytes_of(l.what) });
     Ok(PlanView {
         scene: named.name.clone(),
         passes: passes.collect(),
         left_out: left_out.collect(),
-        bytes: Bytes { used, everything: with_lists(scene).max(used) },
+        bytes: Bytes { used, everything: everything(scene) },
         arrays: needs
             .arrays()
             .into_iter()
@@ -130,22 +130,43 @@ pub fn view(named: &Named, pool: &Pool, steps: u32) -> Result<PlanView, Failure>
     })
 }
 
-/// Memory of the scene with cell lists.
-fn with_lists(scene: &Scene) -> usize {
+/// Memory that something left out would take.
+fn bytes_saved(scene: &Scene, needs: Needs, what: &str) -> usize {
+    let with = match what {
+        "cell lists" => Needs { places: Needs::of(&with_lists(scene)).places, ..needs },
+        "XSPH" => Needs { smoothing: true, ..needs },
+        "thermal energy" => Needs { heat: true, ..needs },
+        "variable support" => Needs { previous: true, ..needs },
+        "pressure correction" => Needs { previous: true, free: true, ..needs },
+        "kernel tables" => Needs { tables: true, ..needs },
+        _ => needs,
+    };
+    with.bytes() - needs.bytes()
+}
+
+/// The scene with cell lists.
+fn with_lists(scene: &Scene) -> Scene {
     let mut lists = scene.clone();
     if scene.grid.structure == GridStructure::IndexSort {
         lists.grid.structure = GridStructure::CellLists { places: USUAL_PLACES };
     }
-    Needs::of(&lists).bytes()
+    lists
+}
+
+/// Memory of a scene with all that this version can leave out.
+fn everything(scene: &Scene) -> usize {
+    let lists = with_lists(scene);
+    Needs { previous: true, free: true, tables: true, ..Needs::by_plan(&lists, &Plan::everything(&lists)) }.bytes()
 }
 
 /// Times the two plans in turn, so that both meet the same mood of the machine.
 fn time(named: &Named, pool: &Pool, steps: u32) -> Result<[Milliseconds; 2], Failure> {
     let scene = &named.file.scene;
-    let mut heaps = [Heap::of(scene), Heap::of(scene)];
+    let plans = [Plan::of(scene), Plan::everything(scene)];
+    let mut heaps = plans.map(|plan| Heap::with(Needs::by_plan(scene, &plan)));
     let mut times = [Vec::new(), Vec::new()];
     let mut solvers = Vec::new();
-    for (heap, plan) in heaps.iter_mut().zip([Plan::of(scene), Plan::everything(scene)]) {
+    for (heap, plan) in heaps.iter_mut().zip(plans) {
         let solver = Solver::with_particles(scene, plan, scene.particle_count(), places(scene), heap.lend());
         solvers.push(solver.map_err(|error| Failure::Scene { origin: named.name.clone(), error })?);
     }

@@ -26,7 +26,7 @@ pub fn heap_for(scene: &Scene, count: usize) -> Heap {
 
 /// A solver of particles at rest at these places.
 pub fn at_rest<'a>(scene: &Scene, positions: &[[f32; 3]], heap: &'a mut Heap) -> Solver<'a> {
-    let places = positions.iter().map(|&position| Place { position, velocity: [0.0; 3] });
+    let places = positions.iter().map(|&position| Place::at(position, [0.0; 3]));
     Solver::with_particles(scene, Plan::of(scene), positions.len(), places, heap.lend()).expect("a scene")
 }
 

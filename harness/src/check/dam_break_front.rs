@@ -134,7 +134,7 @@ fn scene(side: u16, (density, wall_pressure): (DensityForm, WallPressure)) -> Sc
     };
     let shape = WallShape::Box { low: [0.0; 3], high: TANK, open: [Face::Ceiling].into_iter().collect() };
     // free slip: the boundary layer of the experiment is thinner than a particle
-    scene.walls = [Wall { shape, velocity: [0.0; 3], dynamic_viscosity: Some(0.0) }].into_iter().collect();
+    scene.walls = [Wall { shape, velocity: [0.0; 3], dynamic_viscosity: None }].into_iter().collect();
     scene.grid = grid(Dimension::Two, 64);
     scene
 }

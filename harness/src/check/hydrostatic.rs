@@ -9,9 +9,9 @@ use millpond_core::scene::{DensityForm, Viscosity, WallPressure, Wind, places};
 
 const NAME: &str = "hydrostatic";
 
-/// m; the catalogue's middle level, and half of its particles.
-const SPACING: f32 = 0.02;
-const QUICK_SPACING: f32 = 0.03;
+/// m; between the catalogue's middle and finest level.
+const SPACING: f32 = 0.0125;
+const QUICK_SPACING: f32 = 0.02;
 
 /// Still air that takes the waves out of the water, 1/s: the state at rest does not feel it, and the sound of letting the
 /// water go, a period of 0.4 s, is gone long before the profile is taken.
@@ -80,6 +80,7 @@ fn settle(
     let mut scene = column.scene();
     scene.model.wall_pressure = wall;
     scene.model.density = density;
+    scene.model.hydrostatic_start = true;
     scene.model.viscosity = Viscosity::Artificial;
     scene.fluid.alpha = ALPHA;
     scene.fluid.beta = 0.0;

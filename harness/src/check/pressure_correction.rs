@@ -52,6 +52,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     scene.fluid.dynamic_viscosity = VISCOSITY;
     scene.model.equation_of_state = EquationOfState::PressureCorrection;
     scene.model.pressure_force = PressureForce::Monaghan;
+    scene.model.hydrostatic_start = true;
     scene.wind = Some(Wind { velocity: [0.0; 3], drag: DRAG });
     let Correction { iteration, iterations, tolerance } = scene.model.correction;
 

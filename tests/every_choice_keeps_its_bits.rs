@@ -1,0 +1,240 @@
+//! Promise: every choice that a scene can make gives the same bits on the scalar path, in lanes, on two threads, and on a
+//! device in strict mode; and no choice is left out: the list is made from the choices themselves, one of them at a time
+//! against the defaults.
+use millpond::fluid::Snapshot;
+use millpond::memory::Heap;
+use millpond::pool::Pool;
+use millpond_core::layout::f32x4;
+use millpond_core::scene::{
+    Block, Container, Correction, DensityForm, Dimension, EquationOfState, Evaluation, FieldLattice, Fluid, Grid,
+    GridStructure, Iteration, Kernel, ModelChoice, NearPressure, Periodic, PressureForce, Reflection, Scene, SupportRange,
+    Viscosity, Wall, WallPressure, WallShape, Wind,
+};
+use millpond_core::{Plan, Simd, Solver};
+use millpond_gpu::{Gpu, GpuSolver, Mode};
+use std::collections::BTreeSet;
+
+mod support;
+use support::device;
+
+/// A scene that has something of everything to act on: two blocks that collide over a floor, with gravity.
+fn base(dimension: Dimension) -> Scene {
+    let fluid = Fluid { dynamic_viscosity: 2.0, ..Fluid::default() };
+    let depth = if dimension == Dimension::Three { 0.2 } else { 0.0 };
+    let block = Block { corner: [0.1, 0.05, 0.1], size: [0.3, 0.4, depth], jitter: 0.3, ..Block::default() };
+    let mut scene = Scene::of(dimension, 0.05, 0.001, fluid, block);
+    let velocity = [-1.0, 0.5, 0.0];
+    let other = Block { corner: [0.42, 0.05, 0.1], size: [0.2, 0.3, depth], velocity, ..block };
+    let _ = scene.blocks.push(other);
+    scene.gravity = [1.0, -9.81, 0.0];
+    scene.average_neighbours = if dimension == Dimension::Three { 30.0 } else { 18.0 };
+    scene.grid = Grid { cells: [8, 8, 4], structure: GridStructure::IndexSort };
+    scene.container = Some(Container { slip: 0.5, bounce: 0.3, ..Container::closed([0.0; 3], [0.8, 0.8, 0.4]) });
+    scene
+}
+
+fn named(what: &str, base: &Scene, change: impl FnOnce(&mut Scene)) -> (String, Scene) {
+    let mut scene = base.clone();
+    change(&mut scene);
+    (what.to_owned(), scene)
+}
+
+/// Every choice, one at a time.
+fn choices(base: &Scene) -> Vec<(String, Scene)> {
+    let mut all = vec![named("defaults", base, |_| ())];
+    let mut add = |what: String, change: &dyn Fn(&mut Scene)| all.push(named(&what, base, change));
+    for &kernel in Kernel::ALL {
+        if kernel.has_value() {
+            add(format!("density_kernel {kernel:?}"), &|s| s.model.density_kernel = kernel);
+        }
+        add(format!("pressure_kernel {kernel:?}"), &|s| s.model.pressure_kernel = kernel);
+        for viscosity in [Viscosity::Mueller, Viscosity::Morris] {
+            add(format!("viscosity_kernel {kernel:?} {viscosity:?}"), &|s| {
+                (s.model.viscosity_kernel, s.model.viscosity) = (kernel, viscosity);
+            });
+        }
+    }
+    for evaluation in [Evaluation::Table, Evaluation::SquaredTable] {
+        add(format!("evaluation {evaluation:?}"), &|s| s.model.evaluation = evaluation);
+    }
+    for &density in DensityForm::ALL {
+        add(format!("density {density:?}"), &|s| s.model.density = density);
+        add(format!("density {density:?}, calibrated"), &|s| {
+            (s.model.density, s.model.calibrated_mass) = (density, true);
+        });
+    }
+    for &force in PressureForce::ALL {
+        add(format!("pressure_force {force:?}"), &|s| {
+            s.model.pressure_force = force;
+            s.model.density = if force == PressureForce::NumberDensity {
+                DensityForm::NumberDensity
+            } else {
+                DensityForm::Summation
+            };
+        });
+        add(format!("pressure_force {force:?}, masses that differ"), &|s| {
+            s.model.pressure_force = force;
+            s.model.hydrostatic_start = force != PressureForce::NumberDensity;
+            s.model.density =
+                if s.model.hydrostatic_start { DensityForm::Continuity } else { DensityForm::NumberDensity };
+        });
+    }
+    for &state in EquationOfState::ALL {
+        for suction in [true, false] {
+            add(format!("equation_of_state {state:?}, suction {suction}"), &|s| {
+                (s.model.equation_of_state, s.model.suction) = (state, suction);
+                s.model.pressure_force = PressureForce::Monaghan;
+            });
+        }
+    }
+    add("stiffness".into(), &|s| s.fluid.stiffness = Some(2000.0));
+    for force in [PressureForce::Monaghan, PressureForce::Difference] {
+        for (iteration, tolerance) in [(Iteration::Relaxed, 1e-4), (Iteration::Relaxed, 0.5), (Iteration::Literal, 1e-3)] {
+            add(format!("correction {iteration:?} {force:?} to {tolerance}"), &|s| {
+                s.model.equation_of_state = EquationOfState::PressureCorrection;
+                (s.model.pressure_force, s.model.suction) = (force, false);
+                s.model.correction = Correction { iteration, iterations: 5, tolerance };
+            });
+        }
+    }
+    for &near in NearPressure::ALL {
+        add(format!("near_pressure {near:?}"), &|s| s.model.near_pressure = near);
+    }
+    for &viscosity in Viscosity::ALL {
+        add(format!("viscosity {viscosity:?}"), &|s| {
+            s.model.viscosity = viscosity;
+            s.fluid.velocity_exchange = 0.1;
+        });
+        for &wall in WallPressure::ALL {
+            add(format!("viscosity {viscosity:?}, walls {wall:?}"), &|s| {
+                (s.model.viscosity, s.model.wall_pressure) = (viscosity, wall);
+                s.fluid.velocity_exchange = 0.1;
+                walls(s);
+            });
+        }
+        add(format!("heat of {viscosity:?}"), &|s| {
+            (s.model.viscosity, s.model.thermal_energy) = (viscosity, true);
+            (s.fluid.velocity_exchange, s.fluid.heat_gain, s.fluid.thermal_energy) = (0.9, 0.7, 1.0);
+        });
+    }
+    add("two viscosities".into(), &|s| s.blocks[1].dynamic_viscosity = Some(20.0));
+    add("radial_exchange".into(), &|s| s.fluid.radial_exchange = 0.8);
+    add("xsph".into(), &|s| s.fluid.xsph = 0.5);
+    add("variable_support".into(), &|s| {
+        s.model.variable_support = Some(SupportRange { smallest: 0.7, largest: 1.3 });
+    });
+    add("ambient_density".into(), &|s| s.ambient_density = 400.0);
+    add("wind".into(), &|s| s.wind = Some(Wind { velocity: [3.0, 1.0, 0.0], drag: 4.0 }));
+    add("field".into(), &|s| {
+        s.field = Some(FieldLattice { low: [0.1, 0.1, 0.05], spacing: 0.13, counts: [4, 3, 3] });
+    });
+    add("no walls".into(), &|s| s.container = None);
+    add("open face".into(), &|s| {
+        s.container.iter_mut().for_each(|c| c.open = [millpond_core::scene::Face::Floor].into_iter().collect());
+    });
+    add("full reflection".into(), &|s| s.container.iter_mut().for_each(|c| c.reflection = Reflection::Full));
+    add("cell lists".into(), &|s| s.grid.structure = GridStructure::CellLists { places: 64 });
+    for axes in [[true, false, false], [false, true, false], [true, true, true]] {
+        add(format!("periodic {axes:?}"), &|s| {
+            s.container = None;
+            s.periodic = Some(Periodic { low: [0.05, 0.0, 0.0], high: [0.65, 0.6, 0.6], axes });
+        });
+    }
+    add("everything at once".into(), &|s| {
+        s.container = None;
+        s.periodic = Some(Periodic { low: [0.0; 3], high: [0.8, 0.0, 0.7], axes: [true, false, true] });
+        walls(s);
+        s.model = ModelChoice {
+            density: DensityForm::Continuity,
+            hydrostatic_start: true,
+            equation_of_state: EquationOfState::PressureCorrection,
+            pressure_force: PressureForce::Monaghan,
+            near_pressure: NearPressure::Article,
+            viscosity: Viscosity::Artificial,
+            thermal_energy: true,
+            variable_support: Some(SupportRange { smallest: 0.8, largest: 1.2 }),
+            wall_pressure: WallPressure::QuasiFluid,
+            ..s.model
+        };
+        (s.fluid.xsph, s.fluid.radial_exchange, s.ambient_density) = (0.2, 0.1, 10.0);
+        s.wind = Some(Wind { velocity: [1.0, 0.0, 0.0], drag: 1.0 });
+        s.field = Some(FieldLattice { low: [0.0; 3], spacing: 0.3, counts: [3, 3, 3] });
+        s.blocks[0].dynamic_viscosity = Some(0.5);
+    });
+    all
+}
+
+/// A box open above, whose floor slides.
+fn walls(s: &mut Scene) {
+    use millpond_core::scene::Face;
+    let (low, high) = ([0.0; 3], [0.8, 0.6, 0.4]);
+    let shape = WallShape::Box { low, high, open: [Face::Ceiling].into_iter().collect() };
+    let velocity = [0.5, 0.0, 0.0];
+    s.walls = [Wall { shape, velocity, dynamic_viscosity: Some(1.0) }].into_iter().collect();
+}
+
+/// Some field, of a shape that no symmetry hides.
+fn field(scene: &Scene) -> Vec<f32x4> {
+    (0..scene.field_counts()[3]).map(|i| [i as f32 * 0.7, 3.0 - (i * i) as f32 * 0.1, (i % 3) as f32, 0.0]).collect()
+}
+
+const STEPS: u32 = 8;
+
+fn by_cpu(scene: &Scene, simd: Simd, threads: usize, heap: &mut Heap, gpu: Option<&Gpu>) -> [Option<Snapshot>; 2] {
+    let mut solver = Solver::new(scene, heap.lend()).expect("a scene").at_level(simd);
+    solver.set_field(&field(scene)).expect("a field");
+    let on_device = gpu.map(|gpu| {
+        let mut fluid = GpuSolver::new(gpu, &solver).expect("a device that takes it");
+        fluid.set_field(&field(scene)).expect("a field");
+        fluid.step(STEPS).expect("steps on the device");
+        (Snapshot::of_gpu(&fluid).expect("a state"), fluid.correction().expect("a report"))
+    });
+    let pool = Pool::new(threads).expect("threads");
+    (0..STEPS).for_each(|_| solver.step(&pool).expect("a step"));
+    if let Some((_, report)) = &on_device {
+        assert_eq!(*report, solver.correction(), "iterations of pressure");
+    }
+    [Some(Snapshot::of_cpu(&solver)), on_device.map(|(state, _)| state)]
+}
+
+fn check(dimension: Dimension) {
+    let gpu = device("every_choice_keeps_its_bits", Mode::Strict);
+    let base = base(dimension);
+    let mut seen = BTreeSet::new();
+    for (name, scene) in choices(&base) {
+        let heap = || Heap::of(&scene);
+        let [want, on_device] = by_cpu(&scene, Simd::Scalar, 1, &mut heap(), gpu.as_ref());
+        let want = want.expect("a state");
+        let fastest = want.velocity.iter().flatten().fold(0.0f32, |all, v| all.max(v.abs()));
+        assert!(fastest.is_finite() && fastest < 100.0, "{name}: a scene that explodes tests little");
+        let [lanes, _] = by_cpu(&scene, Simd::detect(), 2, &mut heap(), None);
+        assert!(lanes.as_ref() == Some(&want), "{name}: lanes on two threads");
+        let [base_lanes, _] = by_cpu(&scene, Simd::Base, 1, &mut heap(), None);
+        assert!(base_lanes.as_ref() == Some(&want), "{name}: base lanes");
+        if gpu.is_some() {
+            assert!(on_device.as_ref() == Some(&want), "{name}: on the device");
+        }
+        // by its plan and by everything, the same
+        let mut heap = Heap::with(millpond_core::Needs::by_plan(&scene, &Plan::everything(&scene)));
+        let places = millpond_core::scene::places(&scene);
+        let plan = Plan::everything(&scene);
+        let mut whole = Solver::with_particles(&scene, plan, scene.particle_count(), places, heap.lend()).expect("a scene");
+        whole.set_field(&field(&scene)).expect("a field");
+        let pool = Pool::new(1).expect("a thread");
+        (0..STEPS).for_each(|_| whole.step(&pool).expect("a step"));
+        assert_eq!(whole.hash(), want.hash(), "{name}: with every term left in");
+        seen.insert(want.hash());
+    }
+    // a choice that changed nothing would be tested by nothing
+    assert!(seen.len() > 70, "only {} of the choices differ", seen.len());
+}
+
+#[test]
+fn in_space() {
+    check(Dimension::Three);
+}
+
+#[test]
+fn in_the_plane() {
+    check(Dimension::Two);
+}
