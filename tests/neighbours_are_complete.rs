@@ -14,16 +14,15 @@ fn scene_in(dimension: Dimension) -> Scene {
 
 /// Every pair inside each other's support, by looking at all of them with the solver's own distance.
 fn brute_force(scene: &Scene, points: &[[f32; 3]]) -> Vec<(u32, u32)> {
-    let scale = parameters(scene).inverse_support_squared;
+    let (scale, period) = (parameters(scene).inverse_support_squared, parameters(scene).period);
+    let image = |d: f32, period: f32| {
+        let images = [d - period, d, d + period].into_iter();
+        images.min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(d)
+    };
     let mut pairs = Vec::new();
     for (i, a) in points.iter().enumerate() {
         for (j, b) in points.iter().enumerate() {
-            let image = |axis: usize| {
-                let d = a[axis] - b[axis];
-                let period = parameters(scene).period[axis];
-                if period == 0.0 { d } else { [d - period, d, d + period].into_iter().min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(d) }
-            };
-            let [x, y, z] = [image(0), image(1), image(2)];
+            let [x, y, z] = [0, 1, 2].map(|axis| image(a[axis] - b[axis], period[axis]));
             if (x * x + y * y + z * z) * scale < 1.0 {
                 pairs.push((i as u32, j as u32));
             }
@@ -118,8 +117,8 @@ fn after_walls_have_moved_particles_across_cell_faces() {
 fn across_the_seams_of_a_periodic_domain() {
     for (dimension, axes) in [(Dimension::Two, [true, false, false]), (Dimension::Two, [true; 3]), (Dimension::Three, [true; 3])] {
         let mut scene = scene_in(dimension);
-        // 3 cells of 0.0931 m fit, and no fourth
-        let (low, high) = ([-0.1, 0.2, -0.3], [0.25, 0.55, 0.05]);
+        // 3 cells of 0.147 m fit in the plane, and no fourth
+        let (low, high) = ([-0.1, 0.2, -0.3], [0.4, 0.7, 0.2]);
         scene.periodic = Some(Periodic { low, high, axes });
         let mut random = Random(5);
         let mut at = |axis: usize| low[axis] + random.unit() * (high[axis] - low[axis]);

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::memory::Heap;
 use crate::pool::Pool;
 use crate::scenes::Named;
-use millpond_core::Solver;
+use millpond_core::{CorrectionReport, Solver};
 use millpond_core::hash::state_hash;
 use millpond_core::layout::f32x4;
 use millpond_core::scene::{Place, Scene};
@@ -135,6 +135,17 @@ impl<'a> Fluid<'a> {
         match self {
             Fluid::Cpu { solver, .. } => Ok(Snapshot::of_cpu(solver)),
             Fluid::Gpu { solver, .. } => Snapshot::of_gpu(solver),
+        }
+    }
+
+    /// What the pressure correction came to.
+    ///
+    /// # Errors
+    /// The device failed.
+    pub fn correction(&self) -> Result<CorrectionReport, Failure> {
+        match self {
+            Fluid::Cpu { solver, .. } => Ok(solver.correction()),
+            Fluid::Gpu { solver, .. } => Ok(solver.correction()?),
         }
     }
 

@@ -2,15 +2,16 @@
 use crate::arguments::{BackendName, Common, Length};
 use crate::census::{FirstLast, MeanMax, census};
 use crate::failure::Failure;
-use crate::fluid::Fluid;
+use crate::fluid::{Fluid, Snapshot};
 use crate::frames::Film;
 use crate::memory::Heap;
 use crate::output::{deliver, make_folder, progress};
 use crate::pool::Pool;
 use crate::scenes::{Named, load};
 use crate::timing::{Milliseconds, timed};
-use millpond_core::guided::support_radius;
-use millpond_core::scene::NearPressure;
+use millpond_core::CorrectionReport;
+use millpond_core::guided::{particle_mass, support_radius};
+use millpond_core::scene::{Dimension, EquationOfState, Kernel, NearPressure, Scene};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -36,8 +37,10 @@ pub struct Outcome {
     pub scene: String,
     /// What it ran on.
     pub backend: String,
-    /// Particles.
+    /// Particles, those of walls too.
     pub particles: usize,
+    /// Of these, walls'.
+    pub wall_particles: usize,
     /// Steps made.
     pub steps: u64,
     /// Time that passed in the scene, s.
@@ -50,12 +53,38 @@ pub struct Outcome {
     pub average_neighbours: FirstLast,
     /// Compression beyond the rest density, as a share of it, after the last step.
     pub density_error: MeanMax,
+    /// Energies before the first and after the last step, J (per metre of depth in 2D).
+    pub energy: Energy,
+    /// Iterations of pressure; absent with an equation of state.
+    pub pressure_correction: Option<PressureCorrection>,
     /// State hash after the last step.
     pub hash: String,
     /// What a user should know.
     pub warnings: Vec<String>,
     /// Pictures drawn.
     pub pictures: Vec<PathBuf>,
+}
+
+/// Energies of the fluid.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Energy {
+    /// Of motion.
+    pub kinetic: FirstLast,
+    /// Thermal; absent where the scene keeps no account of it.
+    pub internal: Option<FirstLast>,
+    /// In the field of gravity.
+    pub potential: FirstLast,
+}
+
+/// What iterating pressure came to.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct PressureCorrection {
+    /// Iterations of a step, in the mean.
+    pub mean_iterations: f64,
+    /// Of the last step.
+    pub last_iterations: u32,
+    /// Largest density miss that the last step was left with, over the rest density.
+    pub residual: f32,
 }
 
 /// Largest share of its support that sound and the fastest particle together may cross in a step: past it explicit
@@ -124,9 +153,18 @@ pub fn run(
     bar.finish_and_clear();
 
     let last = fluid.snapshot()?;
+    let pressure_correction = if scene.model.equation_of_state == EquationOfState::PressureCorrection {
+        let CorrectionReport { iterations, total_iterations, residual } = fluid.correction()?;
+        let mean_iterations = total_iterations as f64 / done.max(1) as f64;
+        Some(PressureCorrection { mean_iterations, last_iterations: iterations, residual })
+    } else {
+        None
+    };
     let last_census = census(scene, &last)?;
     let neighbours = FirstLast { first: first_census.average_neighbours, last: last_census.average_neighbours };
     let sound = f64::from(scene.fluid.speed_of_sound);
+    // sound that is iterated for does not limit the step
+    let sound = if pressure_correction.is_some() { 0.0 } else { sound };
     let courant = (sound + last_census.fastest) * f64::from(scene.time_step) / support_radius(scene);
     let mut warnings = Vec::new();
     if courant > COURANT_LIMIT {
@@ -138,6 +176,7 @@ pub fn run(
         warnings
             .push("near pressure without suction has nothing to balance it: this liquid will expand like a gas".into());
     }
+    warnings.extend(pairing_warnings(scene));
     if last_census.density_error.mean > 0.03 {
         let percent = last_census.density_error.mean * 100.0;
         warnings.push(format!(
@@ -148,12 +187,22 @@ pub fn run(
         scene: named.name.clone(),
         backend: fluid.backend(),
         particles: last.position.len(),
+        wall_particles: scene.particle_count() - scene.fluid_count(),
         steps: done,
         simulated_s: done as f64 * f64::from(scene.time_step),
         wall_s,
         ms_per_step: Milliseconds::of(&times),
         average_neighbours: neighbours,
         density_error: last_census.density_error.into(),
+        energy: Energy {
+            kinetic: FirstLast { first: first_census.energies.kinetic, last: last_census.energies.kinetic },
+            internal: scene.model.thermal_energy.then_some(FirstLast {
+                first: thermal_energy(scene, &first),
+                last: thermal_energy(scene, &last),
+            }),
+            potential: FirstLast { first: first_census.energies.potential, last: last_census.energies.potential },
+        },
+        pressure_correction,
         hash: format!("{:016x}", last.hash()),
         warnings,
         pictures: film.finish(),
@@ -174,6 +223,16 @@ pub fn report(named: &Named, outcome: &Outcome) -> String {
     row("neighbours", format!("{:.1} first, {:.1} last", o.average_neighbours.first, o.average_neighbours.last));
     let MeanMax { mean, max } = o.density_error;
     row("compression", format!("{:.2} % mean, {:.1} % largest", mean * 100.0, max * 100.0));
+    let energy = o.energy;
+    row("kinetic energy", format!("{:.4e} J first, {:.4e} J last", energy.kinetic.first, energy.kinetic.last));
+    if let Some(internal) = energy.internal {
+        row("thermal energy", format!("{:.4e} J first, {:.4e} J last", internal.first, internal.last));
+    }
+    row("potential energy", format!("{:.4e} J first, {:.4e} J last", energy.potential.first, energy.potential.last));
+    if let Some(p) = o.pressure_correction {
+        let (mean, last, left) = (p.mean_iterations, p.last_iterations, p.residual * 100.0);
+        row("iterations of pressure", format!("{mean:.1} a step, {last} in the last, which leaves {left:.2} %"));
+    }
     row("hash", o.hash.clone());
     for warning in &o.warnings {
         out += &format!("\nWarning: {warning}.\n");
@@ -182,4 +241,38 @@ pub fn report(named: &Named, outcome: &Outcome) -> String {
         out += &format!("\n{} pictures: {} to {}\n", o.pictures.len(), first.display(), last.display());
     }
     out
+}
+
+/// Thermal energy of a state, J.
+fn thermal_energy(scene: &Scene, state: &Snapshot) -> f64 {
+    let mass = particle_mass(scene);
+    let fluid = state.heat.iter().zip(&state.position).take(scene.fluid_count());
+    fluid.map(|(heat, x)| mass * f64::from(x[3]) * f64::from(heat[0])).sum()
+}
+
+/// Neighbours, itself counted, above which kernels of this shape let particles pair: where the slope, steepest at an
+/// inflection, lies outside of the nearest neighbours' distance (Dehnen and Aly 2012). Wendland's never do.
+fn most_neighbours(kernel: Kernel, dimension: Dimension) -> Option<f32> {
+    let [flat, spatial] = match kernel {
+        Kernel::CubicSpline => [27.0, 55.0],
+        Kernel::Gaussian => [40.0, 90.0],
+        Kernel::Lucy => [20.0, 45.0],
+        Kernel::Poly6 => [12.0, 25.0],
+        Kernel::Spiky | Kernel::Viscosity | Kernel::Clavet | Kernel::WendlandC2 | Kernel::WendlandC4 => return None,
+    };
+    Some(if dimension == Dimension::Two { flat } else { spatial })
+}
+
+/// Do the pressure kernel and the neighbours invite pairing, with nothing to keep particles apart?
+fn pairing_warnings(scene: &Scene) -> Option<String> {
+    let kernel = scene.model.pressure_kernel;
+    let most = most_neighbours(kernel, scene.dimension)?;
+    let apart = scene.model.near_pressure != NearPressure::Off;
+    (scene.average_neighbours > most && !apart).then(|| {
+        format!(
+            "{kernel:?} lets particles pair from about {most} neighbours on, and average_neighbours is {}: a Wendland \
+             kernel, fewer neighbours or near pressure keep them apart",
+            scene.average_neighbours
+        )
+    })
 }

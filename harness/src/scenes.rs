@@ -1,6 +1,6 @@
 //! Scene files: RON text with unknown fields refused, a few of them built in, every field open to `--set`.
 use crate::failure::Failure;
-use millpond_core::scene::{Container, Scene};
+use millpond_core::scene::{Container, Periodic, Scene, WallShape};
 use millpond_core::{Needs, SceneError};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -61,7 +61,7 @@ macro_rules! built_in {
 }
 
 /// Name and text of the built-in scenes.
-pub const BUILT_IN: &[(&str, &str)] = built_in!("dam-break", "dam-break-2d", "still-tank", "thesis-cube");
+pub const BUILT_IN: &[(&str, &str)] = built_in!("dam-break", "dam-break-2d", "still-tank", "thesis-cube", "viscosity-cubes", "channel", "stiff-tank");
 
 /// Most memory that a scene is given: 4 GiB, 12 million particles. `compare` holds five of them.
 pub const MOST_BYTES: usize = 1 << 32;
@@ -183,7 +183,7 @@ fn collect_paths(tree: &Value, prefix: &str, out: &mut Vec<String>) {
 
 /// Makes every length of a scene larger at the same spacing, so that it has about `particles` particles.
 fn scale(scene: &mut Scene, particles: u64) -> Result<(), Failure> {
-    let now = scene.particle_count();
+    let now = scene.fluid_count();
     if now == 0 || particles == 0 {
         return Err(Failure::Call(format!("--particles {particles}: cannot scale a scene of {now} particles")));
     }
@@ -196,6 +196,19 @@ fn scale(scene: &mut Scene, particles: u64) -> Result<(), Failure> {
     if let Some(Container { low, high, .. }) = &mut scene.container {
         grow(low);
         grow(high);
+    }
+    for wall in &mut scene.walls {
+        let (WallShape::Plane { low, high, .. } | WallShape::Box { low, high, .. }) = &mut wall.shape;
+        grow(low);
+        grow(high);
+    }
+    if let Some(Periodic { low, high, .. }) = &mut scene.periodic {
+        grow(low);
+        grow(high);
+    }
+    if let Some(field) = &mut scene.field {
+        grow(&mut field.low);
+        field.spacing = (f64::from(field.spacing) * factor) as f32;
     }
     // a larger scene needs more cells, or far particles come to share them
     let axes = scene.dimension.count();

@@ -53,7 +53,7 @@ const SPEED_LIMIT: f64 = 2.0;
 const LATER: [f64; 2] = [1.43, 3.33];
 
 /// Forms with the limits.
-const BEST: (DensityForm, WallPressure) = (DensityForm::Continuity, WallPressure::Mirrored);
+const BEST: (DensityForm, WallPressure) = (DensityForm::Summation, WallPressure::QuasiFluid);
 
 /// The front: Z = z / a over T = n t sqrt(g / a).
 type Front = Vec<[f64; 2]>;
@@ -102,8 +102,10 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         Figure::below("dZ/dT from 1.43 to 3.33", speed, SPEED_LIMIT),
     ];
     if !context.quick {
-        let (coarse, ..) = judged(&coarse);
-        figures.push(Figure::below(format!("rms error over that with a/dx = {COARSE}"), raw[0] / coarse[0], 1.0));
+        // shifted: what remains of the raw error is the experiment's gate, which no resolution opens faster
+        let (_, coarse, _) = judged(&coarse);
+        let ratio = shifted[0] / coarse[0];
+        figures.push(Figure::below(format!("best shift, over that with a/dx = {COARSE}"), ratio, 1.0));
     }
     let titles = ["a/dx", "density, walls", "Martin and Moyce: rms, best shift", "Koshizuka and Oka"];
     let points = measured.iter().map(|[t, z]| [format!("{t}"), format!("{z}"), format!("{:.2}", along(&front, *t))]);
@@ -133,7 +135,7 @@ fn scene(side: u16, (density, wall_pressure): (DensityForm, WallPressure)) -> Sc
         ..ModelChoice::modern()
     };
     let shape = WallShape::Box { low: [0.0; 3], high: TANK, open: [Face::Ceiling].into_iter().collect() };
-    // free slip: the boundary layer of the experiment is thinner than a particle
+    // no slip: the bed of the experiment was dry, and the front is the tongue that runs over it
     scene.walls = [Wall { shape, velocity: [0.0; 3], dynamic_viscosity: None }].into_iter().collect();
     scene.grid = grid(Dimension::Two, 64);
     scene

@@ -10,7 +10,8 @@ use crate::layout::Model;
 #[inline(always)]
 pub fn viscosity_slope<R: Real>(m: &Model, q: R) -> R {
     let one: R = real(1.0);
-    let inverse = div(one, q);
+    // a particle is no neighbour of itself
+    let inverse = select(real(0.0), div(one, q), less(real(0.0), q));
     if m.layers == 0 {
         return if_inside(q, (q * 2.0 - 3.0) * q * 0.16666667 + inverse * 0.16666667);
     }
