@@ -7,8 +7,8 @@ use millpond::pool::Pool;
 use millpond_core::layout::f32x4;
 use millpond_core::scene::{
     Block, Container, Correction, DensityForm, Dimension, EquationOfState, Evaluation, FieldLattice, Fluid, Grid,
-    GridStructure, Iteration, Kernel, ModelChoice, NearPressure, Periodic, PressureForce, Reflection, Scene, SupportRange,
-    Viscosity, Wall, WallPressure, WallShape, Wind,
+    GridStructure, Iteration, Kernel, ModelChoice, NearPressure, Periodic, PressureForce, Reflection, Scene,
+    SupportRange, Viscosity, Wall, WallPressure, WallShape, Wind,
 };
 use millpond_core::{Plan, Simd, Solver};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
@@ -40,6 +40,7 @@ fn named(what: &str, base: &Scene, change: impl FnOnce(&mut Scene)) -> (String, 
 }
 
 /// Every choice, one at a time.
+#[allow(clippy::too_many_lines, reason = "one list, of everything")]
 fn choices(base: &Scene) -> Vec<(String, Scene)> {
     let mut all = vec![named("defaults", base, |_| ())];
     let mut add = |what: String, change: &dyn Fn(&mut Scene)| all.push(named(&what, base, change));
@@ -66,11 +67,8 @@ fn choices(base: &Scene) -> Vec<(String, Scene)> {
     for &force in PressureForce::ALL {
         add(format!("pressure_force {force:?}"), &|s| {
             s.model.pressure_force = force;
-            s.model.density = if force == PressureForce::NumberDensity {
-                DensityForm::NumberDensity
-            } else {
-                DensityForm::Summation
-            };
+            s.model.density =
+                if force == PressureForce::NumberDensity { DensityForm::NumberDensity } else { DensityForm::Summation };
         });
         add(format!("pressure_force {force:?}, masses that differ"), &|s| {
             s.model.pressure_force = force;
@@ -89,7 +87,9 @@ fn choices(base: &Scene) -> Vec<(String, Scene)> {
     }
     add("stiffness".into(), &|s| s.fluid.stiffness = Some(2000.0));
     for force in [PressureForce::Monaghan, PressureForce::Difference] {
-        for (iteration, tolerance) in [(Iteration::Relaxed, 1e-4), (Iteration::Relaxed, 0.5), (Iteration::Literal, 1e-3)] {
+        for (iteration, tolerance) in
+            [(Iteration::Relaxed, 1e-4), (Iteration::Relaxed, 0.5), (Iteration::Literal, 1e-3)]
+        {
             add(format!("correction {iteration:?} {force:?} to {tolerance}"), &|s| {
                 s.model.equation_of_state = EquationOfState::PressureCorrection;
                 (s.model.pressure_force, s.model.suction) = (force, false);
@@ -218,7 +218,8 @@ fn check(dimension: Dimension) {
         let mut heap = Heap::with(millpond_core::Needs::by_plan(&scene, &Plan::everything(&scene)));
         let places = millpond_core::scene::places(&scene);
         let plan = Plan::everything(&scene);
-        let mut whole = Solver::with_particles(&scene, plan, scene.particle_count(), places, heap.lend()).expect("a scene");
+        let mut whole =
+            Solver::with_particles(&scene, plan, scene.particle_count(), places, heap.lend()).expect("a scene");
         whole.set_field(&field(&scene)).expect("a field");
         let pool = Pool::new(1).expect("a thread");
         (0..STEPS).for_each(|_| whole.step(&pool).expect("a step"));

@@ -150,7 +150,8 @@ fn density_and_pressure_at_rest() {
             .iter()
             .map(|b| {
                 let q2 = b.iter().map(|x| f64::from(*x).powi(2)).sum::<f64>() / (4.0 * H * H);
-                let constant = Kernel::CubicSpline.normalisation(dimension.count()) / (2.0 * H).powi(dimension.count() as i32);
+                let constant =
+                    Kernel::CubicSpline.normalisation(dimension.count()) / (2.0 * H).powi(dimension.count() as i32);
                 f64::from(kernel_w(Kernel::CubicSpline as u32, q2 as f32)) * constant * volume
             })
             .sum();

@@ -21,6 +21,9 @@ const SOFTENING: f64 = 0.01 / 4.0;
 /// with the half that keeps it from overshooting where all particles change at once.
 const RELAXATION: f64 = 0.5;
 
+/// Share of a deviation of density that a step of corrected pressure is to mend (our choice).
+const CORRECTION_SOURCE: f32 = 0.1;
+
 /// Radius that holds `average_neighbours` particles at the initial spacing: `n = N/V 4/3 pi H^3`, in 2D `N/A pi H^2`
 /// (S0 section 4.1.5 per errata), m.
 #[must_use]
@@ -49,7 +52,8 @@ pub(crate) fn periodic_cells(scene: &Scene, length: f64) -> u32 {
 /// density sum over the lattice the rest density.
 #[must_use]
 pub fn particle_mass(scene: &Scene) -> f64 {
-    let lattice = f64::from(scene.fluid.rest_density) * power(f64::from(scene.particle_spacing), scene.dimension.count());
+    let lattice =
+        f64::from(scene.fluid.rest_density) * power(f64::from(scene.particle_spacing), scene.dimension.count());
     if scene.model.calibrated_mass { lattice / kernel_sum(scene) } else { lattice }
 }
 
@@ -188,6 +192,7 @@ pub fn parameters(scene: &Scene) -> Parameters {
         correction_stiffness: correction as f32,
         inverse_correction_stiffness: (1.0 / correction) as f32,
         compressibility: (1.0 / bulk) as f32,
+        correction_source: CORRECTION_SOURCE,
         tolerance: model.correction.tolerance,
         alpha: fluid.alpha,
         beta: fluid.beta,
@@ -200,7 +205,6 @@ pub fn parameters(scene: &Scene) -> Parameters {
         bounce: container.map_or(0.0, |c| c.bounce),
         slip: container.map_or(0.0, |c| c.slip),
         pad0: 0,
-        pad1: 0,
     }
 }
 

@@ -4,8 +4,8 @@
 //! so a plan never changes a bit: [`Plan::everything`] runs too, and a test compares.
 use crate::layout::Model;
 use crate::scene::{
-    DensityForm, Dimension, EquationOfState, Evaluation, GridStructure, Iteration, ModelChoice, NearPressure, Reflection,
-    Scene, Viscosity,
+    DensityForm, Dimension, EquationOfState, Evaluation, GridStructure, Iteration, ModelChoice, NearPressure,
+    Reflection, Scene, Viscosity,
 };
 use crate::step::Pass;
 use crate::terms::{near, table, viscosity, wall};
@@ -216,7 +216,11 @@ impl Plan {
                     _ => "fluid.dynamic_viscosity is 0",
                 },
             ),
-            (m.exchange == 0, "exchange of velocities", "fluid.velocity_exchange and fluid.radial_exchange are unused or 0"),
+            (
+                m.exchange == 0,
+                "exchange of velocities",
+                "fluid.velocity_exchange and fluid.radial_exchange are unused or 0",
+            ),
             (m.gravity == 0, "gravity", "gravity is 0"),
             (m.buoyancy == 0, "buoyancy", "ambient_density is 0"),
             (m.wind == 0, "wind", "the scene has none"),

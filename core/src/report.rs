@@ -2,9 +2,9 @@
 use crate::arithmetic::real::vec3;
 use crate::grid::{Cells, Stencil, cell_of};
 use crate::hash::tree_sum;
+use crate::layout::f32x4;
 use crate::passes::{p02_count, p04_scan, p05_place};
 use crate::solver::Solver;
-use crate::layout::f32x4;
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use crate::terms::support::support_close;
 

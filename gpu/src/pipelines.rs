@@ -23,8 +23,7 @@ pub(crate) struct Command {
 /// What the gather pass moves: from where the moved particles wait to where they belong, and what else a plan needs of the
 /// step before.
 fn gathered(plan: &Plan) -> Vec<[Array; 2]> {
-    let mut moved =
-        vec![[Array::NewDensityPressure, Array::NewPosition], [Array::NewAcceleration, Array::NewVelocity]];
+    let mut moved = vec![[Array::NewDensityPressure, Array::NewPosition], [Array::NewAcceleration, Array::NewVelocity]];
     if plan.model.needs_previous() {
         moved.push([Array::OldDensityPressure, Array::Previous]);
     }

@@ -196,10 +196,10 @@ pub fn run(
         density_error: last_census.density_error.into(),
         energy: Energy {
             kinetic: FirstLast { first: first_census.energies.kinetic, last: last_census.energies.kinetic },
-            internal: scene.model.thermal_energy.then_some(FirstLast {
-                first: thermal_energy(scene, &first),
-                last: thermal_energy(scene, &last),
-            }),
+            internal: scene
+                .model
+                .thermal_energy
+                .then_some(FirstLast { first: thermal_energy(scene, &first), last: thermal_energy(scene, &last) }),
             potential: FirstLast { first: first_census.energies.potential, last: last_census.energies.potential },
         },
         pressure_correction,

@@ -61,7 +61,8 @@ macro_rules! built_in {
 }
 
 /// Name and text of the built-in scenes.
-pub const BUILT_IN: &[(&str, &str)] = built_in!("dam-break", "dam-break-2d", "still-tank", "thesis-cube", "viscosity-cubes", "channel", "stiff-tank");
+pub const BUILT_IN: &[(&str, &str)] =
+    built_in!("dam-break", "dam-break-2d", "still-tank", "thesis-cube", "viscosity-cubes", "channel", "stiff-tank");
 
 /// Most memory that a scene is given: 4 GiB, 12 million particles. `compare` holds five of them.
 pub const MOST_BYTES: usize = 1 << 32;

@@ -2,6 +2,7 @@
 //!
 //! Written in intrinsics: a compiler that is left to find vectors in arrays of eight takes ten times as long, and does not
 //! always find them.
+#![expect(clippy::undocumented_unsafe_blocks, reason = "what makes all of them sound is said once, at the macro")]
 #![expect(unsafe_code, reason = "vector instructions are only to be had as intrinsics")]
 use super::real::Real;
 use super::root::floor;

@@ -90,6 +90,8 @@ shared! {
         pub inverse_correction_stiffness: f32,
         /// `1 / (rho0 c0^2)`, 1/Pa.
         pub compressibility: f32,
+        /// Share of the deviation of density that a step is to mend.
+        pub correction_source: f32,
         /// Largest density miss at which iterations end.
         pub tolerance: f32,
         /// Linear coefficient of the artificial viscosity.
@@ -114,8 +116,6 @@ shared! {
         pub slip: f32,
         /// Unused.
         pub pad0: u32,
-        /// Unused.
-        pub pad1: u32,
     }
 }
 

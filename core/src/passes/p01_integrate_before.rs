@@ -34,7 +34,13 @@ pub(crate) fn run(
         let (moved_position, moved_velocity) = (take(&mut positions, slots.len()), take(&mut velocities, slots.len()));
         let _ = jobs.push(Job { setup, old, slots, moved_position, moved_velocity });
     }
-    executor.run(&mut jobs, |job| setup.simd.run(job));
+    executor.run(&mut jobs, work);
+}
+
+/// Compiled once, in this crate: see [`PairPass::work`](super::pairs::PairPass::work).
+fn work(job: &mut Job<'_>) {
+    let simd = job.setup.simd;
+    simd.run(job);
 }
 
 impl Work for &mut Job<'_> {

@@ -15,13 +15,7 @@ struct Job<'a> {
 }
 
 /// Fills `cell`; returns the smallest `4 id + axis` out of range, or [`NONE`].
-pub(crate) fn find(
-    p: &Parameters,
-    executor: &impl Executor,
-    position: &[f32x4],
-    id: &[u32],
-    cell: &mut [u32],
-) -> u32 {
+pub(crate) fn find(p: &Parameters, executor: &impl Executor, position: &[f32x4], id: &[u32], cell: &mut [u32]) -> u32 {
     let mut cells = cell;
     let mut jobs = Jobs::new();
     for slots in shares(id.len(), parts(executor)) {

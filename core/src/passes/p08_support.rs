@@ -19,7 +19,13 @@ pub(crate) fn run(setup: Setup<'_>, executor: &impl Executor, previous: &mut [f3
     for slots in shares(count, parts(executor)) {
         let _ = jobs.push(Job { setup, previous: take(&mut rest, slots.len()) });
     }
-    executor.run(&mut jobs, |job| setup.simd.run(job));
+    executor.run(&mut jobs, work);
+}
+
+/// Compiled once, in this crate: see [`PairPass::work`](super::pairs::PairPass::work).
+fn work(job: &mut Job<'_>) {
+    let simd = job.setup.simd;
+    simd.run(job);
 }
 
 impl Work for &mut Job<'_> {

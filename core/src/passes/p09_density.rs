@@ -63,7 +63,7 @@ pub(crate) fn run(
         };
         let _ = jobs.push(job);
     }
-    executor.run(&mut jobs, |job| setup.simd.run(job));
+    executor.run(&mut jobs, work);
 }
 
 /// The particles of a block, and what tells them who is near.
@@ -110,6 +110,12 @@ impl<R: Real> Near<'_, R> {
     }
 }
 
+/// Compiled once, in this crate: see [`PairPass::work`](super::pairs::PairPass::work).
+fn work(job: &mut Job<'_>) {
+    let simd = job.setup.simd;
+    simd.run(job);
+}
+
 impl Work for &mut Job<'_> {
     #[inline(always)]
     fn run<R: Real>(self) {
@@ -147,7 +153,11 @@ impl Job<'_> {
                     particles,
                     x_a: core::hint::black_box(load::<R>(particles.position, first, end - 1)),
                     v_a: load::<R>(particles.velocity, first, end - 1),
-                    support_a: if m.variable_support == 1 { load_one(particles.previous, first, end - 1, 2) } else { one },
+                    support_a: if m.variable_support == 1 {
+                        load_one(particles.previous, first, end - 1, 2)
+                    } else {
+                        one
+                    },
                 };
                 // a mirroring wall has no density, and nobody acts on it
                 let asleep = m.wall_particles == MIRRORED && particles.are_walls(&setup, first, end - 1);
@@ -174,8 +184,11 @@ impl Job<'_> {
                 }
                 let [sum, near_sum] = sums;
                 let previous = |i| load_one::<R>(particles.previous, first, end - 1, i);
-                let mut deviation =
-                    if m.density == CONTINUITY { deviation_stepped(p, previous(0), sum) } else { deviation_of_sum(p, sum) };
+                let mut deviation = if m.density == CONTINUITY {
+                    deviation_stepped(p, previous(0), sum)
+                } else {
+                    deviation_of_sum(p, sum)
+                };
                 let mut pressure = if m.corrects_pressure() { previous(1) } else { pressure_of_state(m, p, deviation) };
                 pressure = pressure_close(m, pressure);
                 let mut near_pressure = near_pressure_close(m, p, deviation, near_sum);

@@ -1,7 +1,7 @@
 //! Acceleration of each particle: pressure, viscosity and what acts from outside; without pressure where that is iterated
 //! later. Walks the neighbour lists of the density pass.
 use super::local::Particles;
-use super::pairs::{Block, Lists, PairPass, fold, run as run_pairs};
+use super::pairs::{Block, Job, Lists, PairPass, fold, run as run_pairs};
 use super::{Setup, field, store};
 use crate::arithmetic::real::{Real, real, vec3};
 use crate::executor::Executor;
@@ -25,6 +25,10 @@ pub(crate) fn run(
 }
 
 impl PairPass for Force {
+    fn work(job: &mut Job<'_, Self>) {
+        job.run();
+    }
+
     #[inline(always)]
     fn block<R: Real>(&self, block: &Block<'_>, own: &mut [f32x4]) -> u32 {
         let (setup, particles) = (block.setup, block.particles);

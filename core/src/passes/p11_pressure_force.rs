@@ -1,6 +1,6 @@
 //! Acceleration by the pressure of an iteration, added to all else. Only where pressure is corrected.
 use super::local::Particles;
-use super::pairs::{Block, Lists, PairPass, fold, run as run_pairs};
+use super::pairs::{Block, Job, Lists, PairPass, fold, run as run_pairs};
 use super::{Setup, load, store};
 use crate::arithmetic::real::{Real, real, vec3};
 use crate::executor::Executor;
@@ -26,6 +26,10 @@ pub(crate) fn run(
 }
 
 impl PairPass for PressureForce<'_> {
+    fn work(job: &mut Job<'_, Self>) {
+        job.run();
+    }
+
     #[inline(always)]
     fn block<R: Real>(&self, block: &Block<'_>, own: &mut [f32x4]) -> u32 {
         let (setup, particles) = (block.setup, block.particles);

@@ -1,6 +1,6 @@
 //! One iteration of pressure: how far the next density would miss, and what mends it. Only where pressure is corrected.
 use super::local::Particles;
-use super::pairs::{Block, Lists, PairPass, fold, run as run_pairs};
+use super::pairs::{Block, Job, Lists, PairPass, fold, run as run_pairs};
 use super::{Setup, load};
 use crate::arithmetic::real::{Real, real, select, vec3};
 use crate::executor::Executor;
@@ -28,6 +28,10 @@ pub(crate) fn run(
 }
 
 impl PairPass for PressureCorrect<'_> {
+    fn work(job: &mut Job<'_, Self>) {
+        job.run();
+    }
+
     #[inline(always)]
     fn block<R: Real>(&self, block: &Block<'_>, own: &mut [f32x4]) -> u32 {
         let (setup, particles) = (block.setup, block.particles);

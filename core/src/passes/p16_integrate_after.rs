@@ -39,11 +39,15 @@ pub(crate) fn run(setup: Setup<'_>, executor: &impl Executor, new: &mut State<'_
         };
         let _ = jobs.push(job);
     }
-    executor.run(&mut jobs, |job| {
-        setup.simd.run(&mut *job);
-        job.look();
-    });
+    executor.run(&mut jobs, work);
     jobs.iter().map(|job| job.not_finite).min().unwrap_or(NONE)
+}
+
+/// Compiled once, in this crate: see [`PairPass::work`](super::pairs::PairPass::work).
+fn work(job: &mut Job<'_>) {
+    let simd = job.setup.simd;
+    simd.run(&mut *job);
+    job.look();
 }
 
 impl Work for &mut Job<'_> {

@@ -65,12 +65,17 @@ impl Block<'_> {
 }
 
 /// A pass that makes one entry a particle of what its neighbours add up to.
-pub(super) trait PairPass: Sync {
+pub(super) trait PairPass: Sync + Sized {
+    /// Does a job: `job.run()`. Written out in each pass, and so compiled once, in this crate: what is generic is compiled again
+    /// in every program that brings an executor of its own.
+    fn work(job: &mut Job<'_, Self>);
+
     /// Fills the entries of a block. Returns a count, of which `run` takes the largest.
     fn block<R: Real>(&self, block: &Block<'_>, own: &mut [f32x4]) -> u32;
 }
 
-struct Job<'a, P> {
+/// A share of the blocks.
+pub(super) struct Job<'a, P> {
     setup: Setup<'a>,
     particles: Particles<'a>,
     lists: Lists<'a>,
@@ -96,7 +101,7 @@ pub(super) fn run<P: PairPass>(
         let out = take(&mut outs, slots.len());
         let _ = jobs.push(Job { setup, particles, lists, pass, cells, first_slot: slots.start, out, largest: 0 });
     }
-    executor.run(&mut jobs, |job| setup.simd.run(job));
+    executor.run(&mut jobs, P::work);
     jobs.iter().map(|job| job.largest).max().unwrap_or(0)
 }
 
@@ -112,6 +117,13 @@ impl<P: PairPass> Work for &mut Job<'_, P> {
 }
 
 impl<P: PairPass> Job<'_, P> {
+    /// All blocks of the job, at its SIMD level.
+    #[inline(always)]
+    pub(super) fn run(&mut self) {
+        let simd = self.setup.simd;
+        simd.run(self);
+    }
+
     /// All blocks by this model, parts of which the compiler may know.
     #[inline(always)]
     fn run_by<R: Real>(&mut self, model: Model) {

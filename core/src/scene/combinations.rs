@@ -1,7 +1,8 @@
 //! Choices that do not go together, refused by name before anything is touched.
 use super::check::positive;
 use super::{
-    Correction, DensityForm, EquationOfState, Evaluation, Iteration, Kernel, NearPressure, PressureForce, Scene, Viscosity,
+    Correction, DensityForm, EquationOfState, Evaluation, Iteration, Kernel, NearPressure, PressureForce, Scene,
+    Viscosity,
 };
 use crate::error::SceneError;
 
@@ -59,7 +60,9 @@ impl Scene {
             }
             let endless = model.pressure_kernel == Kernel::Viscosity
                 || match model.viscosity {
-                    Viscosity::Mueller => model.viscosity_kernel.is_cusped() && model.viscosity_kernel != Kernel::Viscosity,
+                    Viscosity::Mueller => {
+                        model.viscosity_kernel.is_cusped() && model.viscosity_kernel != Kernel::Viscosity
+                    }
                     Viscosity::Exchange => false,
                     _ => model.viscosity_kernel == Kernel::Viscosity,
                 };

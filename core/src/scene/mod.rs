@@ -114,7 +114,9 @@ impl Scene {
     /// plane in 2D.
     pub(crate) fn is_closed(&self, container: &Container, face: Face) -> bool {
         let axis = face.axis();
-        axis < self.dimension.count() && !container.open.contains(&face) && !self.periodic_axes().any(|round| round == axis)
+        axis < self.dimension.count()
+            && !container.open.contains(&face)
+            && !self.periodic_axes().any(|round| round == axis)
     }
 
     /// Cells along x, y, z: those of `grid`, along a periodic axis as many as fit, and in 2D one along z.

@@ -78,7 +78,8 @@ pub(super) fn wall_places(scene: &Scene) -> impl Iterator<Item = Place> {
     scene.walls.iter().enumerate().flat_map(move |(i, wall)| {
         let Layers { low, counts, hollow } = layers_of(wall, scene);
         let is_hollow = move |index: &[u64; 3]| {
-            hollow.is_some_and(|(offset, inside)| (0..3).all(|a| (offset[a]..offset[a] + inside[a]).contains(&index[a])))
+            hollow
+                .is_some_and(|(offset, inside)| (0..3).all(|a| (offset[a]..offset[a] + inside[a]).contains(&index[a])))
         };
         indices(counts).filter(move |index| !is_hollow(index)).map(move |index| {
             let mut position = [0.0; 3];

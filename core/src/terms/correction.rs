@@ -18,15 +18,15 @@ pub fn predicted_velocity<R: Real>(p: &Parameters, velocity: vec3<R>, accelerati
 
 /// How far the next density would be off, over the rest density. `rate` is that of the deviation at the predicted velocities.
 ///
-/// Relaxed: from `P / (rho0 c0^2)`, the compression that the pressure stands for; so what is there already counts, and at
-/// the end the fluid has its real speed of sound. Literal (S0 eq. 3.3): from no change at all.
+/// Relaxed: from `P / (rho0 c0^2)`, the compression that the pressure stands for, so that the fluid has its real speed of
+/// sound; what density is off by already is mended in a few steps, since in one it would shake the particles. Literal (S0 eq. 3.3): from no change at all.
 #[inline(always)]
 pub fn density_miss<R: Real>(m: &Model, p: &Parameters, pressure: R, deviation: R, rate: R) -> R {
     let change = rate * p.continuity_constant * p.time_step;
     if m.iteration == LITERAL {
         return change;
     }
-    return deviation + change - pressure * p.compressibility;
+    return deviation * p.correction_source + change - pressure * p.compressibility;
 }
 
 /// Pressure after an iteration, Pa: `P + k miss`, where k is `rho0 c0^2`, or what the lattice can bear.

@@ -42,13 +42,7 @@ pub fn field_share<R: Real>(m: &Model, place: vec3<R>, node: vec3<R>) -> R {
 
 /// All that acts from outside but the host's field, added to what the neighbours do, m/s2.
 #[inline(always)]
-pub fn external_close<R: Real>(
-    m: &Model,
-    p: &Parameters,
-    driven: vec3<R>,
-    velocity: vec3<R>,
-    deviation: R,
-) -> vec3<R> {
+pub fn external_close<R: Real>(m: &Model, p: &Parameters, driven: vec3<R>, velocity: vec3<R>, deviation: R) -> vec3<R> {
     if m.gravity == 0 {
         if m.wind == 0 {
             return flush3(driven);

@@ -18,14 +18,7 @@ pub fn heat_share<R: Real>(wall_b: R) -> R {
 
 /// Heating of `a` by `b`, W/m3; `v_ab` with the velocities at the step.
 #[inline(always)]
-pub fn heat_neighbour<R: Real>(
-    m: &Model,
-    p: &Parameters,
-    t: &Tables,
-    a: Local<R>,
-    b: Local<R>,
-    v_ab: vec3<R>,
-) -> R {
+pub fn heat_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>, v_ab: vec3<R>) -> R {
     let x_ab = separation(m, p, a.position, b.position);
     let scale = pair_scale(m, a.support, b.support);
     let q = root(squared_ratio(m, p, x_ab, scale));

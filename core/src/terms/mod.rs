@@ -9,6 +9,7 @@
 //!
 //! Accelerations are sums of force densities (N/m3) divided by the density of the receiving particle.
 #![allow(clippy::needless_return, reason = "WGSL has no tail expressions")]
+#![allow(clippy::unreadable_literal, reason = "WGSL has no separators of digits")]
 #![allow(clippy::too_many_arguments, reason = "WGSL has no tuples, and no constructors that Rust would take")]
 
 /// Name and text of each term of a folder, for backends that compile them themselves.

@@ -60,7 +60,16 @@ pub fn pressure_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Loc
 
 /// Force density by which viscosity acts on `a`, N/m3, exactly 0 for who is no neighbour.
 #[inline(always)]
-pub fn drag_of_pair<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>, x_ab: vec3<R>, q: R, scale: R) -> vec3<R> {
+pub fn drag_of_pair<R: Real>(
+    m: &Model,
+    p: &Parameters,
+    t: &Tables,
+    a: Local<R>,
+    b: Local<R>,
+    x_ab: vec3<R>,
+    q: R,
+    scale: R,
+) -> vec3<R> {
     let drag = viscosity_pair(m, p, t, a, b, x_ab, q, scale);
     return vec3(if_inside(q, drag.x), if_inside(q, drag.y), if_inside(q, drag.z));
 }

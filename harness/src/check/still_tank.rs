@@ -5,7 +5,7 @@ use super::outcome::table;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::memory::Heap;
-use millpond_core::scene::{DensityForm, Viscosity, places};
+use millpond_core::scene::{DensityForm, Kernel, Viscosity, places};
 
 const NAME: &str = "still-tank";
 
@@ -40,7 +40,10 @@ struct Rest {
 }
 
 pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
-    let column = Column::of_catalogue(if context.quick { QUICK_SPACING } else { SPACING });
+    // an even start and a kernel that does not pair: what moves is what the walls and the surface do
+    let kernel = (Kernel::WendlandC2, 32.0);
+    let spacing = if context.quick { QUICK_SPACING } else { SPACING };
+    let column = Column { kernel, jitter: 0.0, ..Column::of_catalogue(spacing) };
     let mut figures = Vec::new();
     let mut lines = Vec::new();
     for (i, density) in FORMS.into_iter().enumerate() {

@@ -1,0 +1,116 @@
+//! Promise: choices that do not go together are refused by name before the first step, and only those.
+use millpond_core::SceneError;
+use millpond_core::scene::{
+    Block, Correction, DensityForm, Dimension, EquationOfState, Evaluation, Face, FieldLattice, Fluid, Iteration,
+    Kernel, ModelChoice, NearPressure, Periodic, PressureForce, Scene, SupportRange, Viscosity, Wall, WallShape,
+};
+
+fn scene(change: impl FnOnce(&mut Scene)) -> Result<(), SceneError> {
+    let block = Block { size: [0.4, 0.4, 0.4], ..Block::default() };
+    let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, Fluid::default(), block);
+    scene.gravity = [0.0, -9.81, 0.0];
+    change(&mut scene);
+    scene.check()
+}
+
+/// Asserts that the two are refused, named so.
+fn refused(choice: &str, other: &str, change: impl FnOnce(&mut Scene)) {
+    match scene(change) {
+        Err(SceneError::NotTogether { choice: a, other: b, why }) => {
+            assert!(a.contains(choice) && b.contains(other) && why.len() > 10, "{a} and {b}: {why}");
+        }
+        result => panic!("{choice} and {other}: {result:?}"),
+    }
+}
+
+#[test]
+fn by_name() {
+    assert_eq!(scene(|_| ()), Ok(()));
+    refused("density_kernel Viscosity", "density", |s| s.model.density_kernel = Kernel::Viscosity);
+    refused("variable_support", "tables", |s| {
+        s.model.evaluation = Evaluation::Table;
+        s.model.variable_support = Some(SupportRange { smallest: 0.9, largest: 1.1 });
+    });
+    refused("tables", "infinite", |s| {
+        (s.model.evaluation, s.model.viscosity) = (Evaluation::SquaredTable, Viscosity::Morris);
+    });
+    refused("tables", "infinite", |s| {
+        (s.model.evaluation, s.model.viscosity_kernel) = (Evaluation::Table, Kernel::Spiky);
+    });
+    refused("pressure_force NumberDensity", "density", |s| s.model.pressure_force = PressureForce::NumberDensity);
+    refused("PressureCorrection", "pressure_force", |s| {
+        s.model.equation_of_state = EquationOfState::PressureCorrection;
+    });
+    refused("thermal_energy", "pressure_force", |s| {
+        (s.model.thermal_energy, s.model.pressure_force) = (true, PressureForce::Difference);
+    });
+    refused("hydrostatic_start", "IdealGas", |s| {
+        (s.model.hydrostatic_start, s.model.equation_of_state) = (true, EquationOfState::IdealGas);
+    });
+    refused("hydrostatic_start", "NumberDensity", |s| {
+        (s.model.hydrostatic_start, s.model.density) = (true, DensityForm::NumberDensity);
+    });
+    refused("hydrostatic_start", "gravity", |s| {
+        s.model.hydrostatic_start = true;
+        s.gravity = [0.0; 3];
+    });
+    refused("ambient_density", "gravity", |s| {
+        s.ambient_density = 1.2;
+        s.gravity = [0.0; 3];
+    });
+    refused("fluid.stiffness", "Tait", |s| {
+        s.fluid.stiffness = Some(1000.0);
+        s.model.equation_of_state = EquationOfState::Desbrun;
+    });
+    refused("near_stiffness", "Off", |s| {
+        s.fluid.near_stiffness = Some(1.0);
+        s.model.near_pressure = NearPressure::Off;
+    });
+}
+
+#[test]
+fn a_literal_iteration_that_cannot_converge() {
+    let literal = |speed_of_sound: f32| {
+        scene(|s| {
+            s.fluid.speed_of_sound = speed_of_sound;
+            s.model.equation_of_state = EquationOfState::PressureCorrection;
+            s.model.pressure_force = PressureForce::Monaghan;
+            s.model.correction.iteration = Iteration::Literal;
+        })
+    };
+    // 1.5 spacings of 0.05 m in 1 ms are 75 m/s
+    assert_eq!(literal(74.9), Ok(()));
+    assert!(matches!(literal(75.1), Err(SceneError::CannotConverge { most: 1.5, spacings }) if spacings > 1.5));
+}
+
+#[test]
+fn bounds() {
+    for (smallest, largest, field) in [(0.4, 1.1, "smallest"), (0.9, 2.5, "largest"), (f32::NAN, 1.1, "smallest")] {
+        let result = scene(|s| s.model.variable_support = Some(SupportRange { smallest, largest }));
+        assert!(matches!(result, Err(SceneError::OutOfBounds { field: f, .. }) if f.ends_with(field)), "{result:?}");
+    }
+    for iterations in [0, Correction::MOST + 1] {
+        let result = scene(|s| s.model.correction.iterations = iterations);
+        assert!(matches!(result, Err(SceneError::CapacityExceeded { needed, .. }) if needed == iterations as usize));
+    }
+    let result = scene(|s| s.field = Some(FieldLattice { low: [0.0; 3], spacing: 0.1, counts: [4, 1, 4] }));
+    assert_eq!(result, Err(SceneError::TooFewNodes { axis: 1, nodes: 1 }));
+    let axes = [false, true, false];
+    let result = scene(|s| s.periodic = Some(Periodic { low: [0.0; 3], high: [1.0, 0.0, 1.0], axes }));
+    assert_eq!(result, Err(SceneError::EmptyDomain { axis: 1, low: 0.0, high: 0.0 }));
+    let result = scene(|s| s.periodic = Some(Periodic { low: [0.0; 3], high: [1.0, 0.2, 1.0], axes }));
+    assert_eq!(result, Err(SceneError::TooFewCells { axis: 1, cells: 2 }));
+    let plane = |face, high: [f32; 3]| Wall {
+        shape: WallShape::Plane { face, low: [0.0; 3], high },
+        velocity: [0.0; 3],
+        dynamic_viscosity: None,
+    };
+    let result = scene(|s| s.walls = [plane(Face::Floor, [1.0, 0.5, 1.0])].into_iter().collect());
+    assert_eq!(result, Err(SceneError::WallExtent { wall: 0, axis: 1, size: 0.5 }));
+    assert_eq!(scene(|s| s.walls = [plane(Face::Floor, [1.0, 0.0, 1.0])].into_iter().collect()), Ok(()));
+}
+
+#[test]
+fn the_modern_choice_is_one() {
+    assert_eq!(scene(|s| s.model = ModelChoice::modern()), Ok(()));
+}
