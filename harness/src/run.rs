@@ -258,7 +258,8 @@ fn most_neighbours(kernel: Kernel, dimension: Dimension) -> Option<f32> {
         Kernel::Gaussian => [40.0, 90.0],
         Kernel::Lucy => [20.0, 45.0],
         Kernel::Poly6 => [12.0, 25.0],
-        Kernel::Spiky | Kernel::Viscosity | Kernel::Clavet | Kernel::WendlandC2 | Kernel::WendlandC4 => return None,
+        // no inflection, or a Fourier transform that is positive everywhere
+        _ => return None,
     };
     Some(if dimension == Dimension::Two { flat } else { spatial })
 }
