@@ -11,6 +11,7 @@ use crate::scenes::{Named, load};
 use crate::timing::{Milliseconds, timed};
 use millpond_core::CorrectionReport;
 use millpond_core::guided::{particle_mass, support_radius};
+use millpond_core::kernel::slope;
 use millpond_core::scene::{Dimension, EquationOfState, Kernel, NearPressure, Scene};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -250,18 +251,22 @@ fn thermal_energy(scene: &Scene, state: &Snapshot) -> f64 {
     fluid.map(|(heat, x)| mass * f64::from(x[3]) * f64::from(heat[0])).sum()
 }
 
-/// Neighbours, itself counted, above which kernels of this shape let particles pair: where the slope, steepest at an
-/// inflection, lies outside of the nearest neighbours' distance (Dehnen and Aly 2012). Wendland's never do.
-fn most_neighbours(kernel: Kernel, dimension: Dimension) -> Option<f32> {
-    let [flat, spatial] = match kernel {
-        Kernel::CubicSpline => [27.0, 55.0],
-        Kernel::Gaussian => [40.0, 90.0],
-        Kernel::Lucy => [20.0, 45.0],
-        Kernel::Poly6 => [12.0, 25.0],
-        // no inflection, or a Fourier transform that is positive everywhere
-        _ => return None,
+/// Neighbours, itself counted, from which on a kernel lets particles pair; none where it never does.
+///
+/// The cubic spline does from about 55 on in space (Dehnen and Aly 2012), 27 in the plane. What decides is how far out its
+/// slope is steepest: two particles nearer than that push each other less the nearer they come. Other kernels are held
+/// against it by that distance. Wendland's, whose Fourier transforms are positive, and those with an edge never pair.
+fn most_neighbours(kernel: Kernel, dimension: Dimension) -> Option<f64> {
+    if kernel.is_cusped() || matches!(kernel, Kernel::WendlandC2 | Kernel::WendlandC4) {
+        return None;
+    }
+    let d = dimension.count();
+    let steepest = |kernel: Kernel| {
+        let places = (1..1000).map(|i| f64::from(i) / 1000.0);
+        places.max_by(|a, b| slope(kernel, d, *a).total_cmp(&slope(kernel, d, *b))).unwrap_or(1.0)
     };
-    Some(if dimension == Dimension::Two { flat } else { spatial })
+    let of_spline = if dimension == Dimension::Two { 27.0 } else { 55.0 };
+    Some(of_spline * (steepest(Kernel::CubicSpline) / steepest(kernel)).powi(d as i32))
 }
 
 /// Do the pressure kernel and the neighbours invite pairing, with nothing to keep particles apart?
@@ -269,9 +274,9 @@ fn pairing_warnings(scene: &Scene) -> Option<String> {
     let kernel = scene.model.pressure_kernel;
     let most = most_neighbours(kernel, scene.dimension)?;
     let apart = scene.model.near_pressure != NearPressure::Off;
-    (scene.average_neighbours > most && !apart).then(|| {
+    (f64::from(scene.average_neighbours) > most + 0.5 && !apart).then(|| {
         format!(
-            "{kernel:?} lets particles pair from about {most} neighbours on, and average_neighbours is {}: a Wendland \
+            "{kernel:?} lets particles pair from about {most:.0} neighbours on, and average_neighbours is {}: a Wendland \
              kernel, fewer neighbours or near pressure keep them apart",
             scene.average_neighbours
         )
