@@ -1,5 +1,5 @@
 //! Promise: every choice that a scene can make gives the same bits on the scalar path, in lanes, on two threads, and on a
-//! device in strict mode; and no choice is left out: the list is made from the choices themselves, one of them at a time
+//! device in strict mode (without one, that its WGSL is valid); and no choice is left out: the list is made from the choices themselves, one of them at a time
 //! against the defaults.
 use millpond::fluid::Snapshot;
 use millpond::memory::Heap;
@@ -11,6 +11,8 @@ use millpond_core::scene::{
     SupportRange, Viscosity, Wall, WallPressure, WallShape, Wind,
 };
 use millpond_core::{Plan, Simd, Solver};
+use millpond_gpu::program::{Words, program};
+use millpond_gpu::strict::validate;
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 use std::collections::BTreeSet;
 
@@ -211,7 +213,13 @@ fn check(dimension: Dimension) {
         assert!(lanes.as_ref() == Some(&want), "{name}: lanes on two threads");
         let [base_lanes, _] = by_cpu(&scene, Simd::Base, 1, &mut heap(), None);
         assert!(base_lanes.as_ref() == Some(&want), "{name}: base lanes");
-        if gpu.is_some() {
+        let plan = Plan::of(&scene);
+        if gpu.is_none() {
+            for pass in plan.passes() {
+                let read = validate(&program(pass, &plan.model, Words::Native));
+                assert!(read.is_ok(), "{name}, {}: {:?}", pass.name(), read.err());
+            }
+        } else {
             assert!(on_device.as_ref() == Some(&want), "{name}: on the device");
         }
         // by its plan and by everything, the same

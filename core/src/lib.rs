@@ -9,7 +9,7 @@
 //! 2. [`step`], one page: the passes and their order;
 //! 3. [`terms`], the physics, each formula once for scalar, lanes and WGSL ([`arithmetic`] holds the vocabulary);
 //! 4. `passes`, the loops, and [`grid`], how neighbours are found;
-//! 5. [`solver`], [`storage`], [`layout`]: the face, the memory, the bytes.
+//! 5. [`solver`], [`memory`] and [`storage`], [`layout`]: the face, the memory, the bytes.
 //!
 //! SI units throughout; in 2D every z is 0 and masses are per metre of depth.
 #![no_std]
@@ -24,6 +24,7 @@ pub mod hash;
 pub mod kernel;
 pub mod lattice_sums;
 pub mod layout;
+pub mod memory;
 mod passes;
 pub mod plan;
 pub mod report;
@@ -39,8 +40,9 @@ pub use heapless;
 pub use arithmetic::level::Simd;
 pub use error::{SceneError, StepError};
 pub use executor::{Executor, Serial};
+pub use memory::{Memory, Needs};
 pub use passes::p17_commit::verdict;
 pub use plan::Plan;
 pub use solver::{CorrectionReport, Particle, Solver};
 pub use step::Pass;
-pub use storage::{CellPlaces, Extras, FieldStorage, Memory, Needs, Storage, TableStorage};
+pub use storage::{CellPlaces, Extras, FieldStorage, Storage, TableStorage};

@@ -5,11 +5,11 @@ use crate::executor::{Executor, Serial};
 use crate::guided::parameters;
 use crate::hash::state_hash;
 use crate::layout::{Parameters, SPECIES, f32x4};
+use crate::memory::{Memory, Needs, State};
 use crate::passes::Setup;
 use crate::plan::Plan;
 use crate::scene::{Dimension, Place, Scene, check_count, places};
 use crate::step::{self, Pass, Settled};
-use crate::storage::{Memory, Needs, State};
 use crate::tables::fill_tables;
 use glam::Vec3;
 

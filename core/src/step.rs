@@ -3,6 +3,7 @@ use crate::error::StepError;
 use crate::executor::Executor;
 use crate::grid::Cells;
 use crate::layout::{NONE, Status};
+use crate::memory::{Scratch, State};
 use crate::passes::local::Particles;
 use crate::passes::pairs::Lists;
 use crate::passes::{
@@ -10,7 +11,6 @@ use crate::passes::{
     p09_density, p10_force, p11_pressure_force, p12_pressure_correct, p13_pressure_settle, p14_heat, p15_smooth,
     p16_integrate_after, p17_commit,
 };
-use crate::storage::{Scratch, State};
 
 /// Declares the passes once: name, what it does, name of its file.
 macro_rules! passes {

@@ -1,7 +1,7 @@
 //! Memory for a scene of any size, from the heap. An embedder with a fixed capacity uses `Storage` instead.
 use millpond_core::layout::{TABLE_WORDS, f32x4};
+use millpond_core::memory::{LIST_ENTRIES, Scratch, State};
 use millpond_core::scene::Scene;
-use millpond_core::storage::{LIST_ENTRIES, Scratch, State};
 use millpond_core::{Memory, Needs};
 
 /// As much memory as a scene needs.

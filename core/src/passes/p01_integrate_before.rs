@@ -7,7 +7,7 @@ use crate::arithmetic::level::Work;
 use crate::arithmetic::real::{Real, real};
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::layout::f32x4;
-use crate::storage::State;
+use crate::memory::State;
 use crate::terms::integrate::{drift, kick, wrap};
 use crate::terms::wall::if_free;
 use core::ops::Range;

@@ -5,7 +5,7 @@ use crate::arithmetic::real::{Real, real, vec3};
 use crate::error::Quantity;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::layout::{NONE, f32x4};
-use crate::storage::State;
+use crate::memory::State;
 use crate::terms::boundary::{depth_behind, depth_if_free, put_back, reflect};
 use crate::terms::integrate::kick;
 
