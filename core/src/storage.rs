@@ -34,7 +34,7 @@ pub struct CellPlaces<const CELLS: usize, const PLACES: usize> {
     places: [[u32; PLACES]; CELLS],
 }
 
-/// Memory for what only some choices need, as much of each as [`Needs`] says: `Extras::<N, 0, 0, 0>` for XSPH alone.
+/// Memory for what only some choices need, as much of each as [`Needs`](crate::Needs) says: `Extras::<N, 0, 0, 0>` for XSPH alone.
 ///
 /// `SMOOTHING` entries for XSPH, `HEAT` for thermal energy, `PREVIOUS` for the continuity equation, variable supports and the
 /// pressure correction, `FREE` for the pressure correction: the number of particles, or 0.
