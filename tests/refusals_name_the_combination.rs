@@ -58,6 +58,14 @@ fn by_name() {
         s.ambient_density = 1.2;
         s.gravity = [0.0; 3];
     });
+    refused("pressure_force Difference", "Mirrored", |s| {
+        s.model.pressure_force = PressureForce::Difference;
+        let shape = WallShape::Plane { face: Face::Floor, low: [0.0; 3], high: [1.0, 0.0, 1.0] };
+        s.walls = [Wall { shape, velocity: [0.0; 3], dynamic_viscosity: None }].into_iter().collect();
+    });
+    refused("hydrostatic_start", "ambient", |s| {
+        (s.model.hydrostatic_start, s.ambient_density) = (true, 1000.0);
+    });
     refused("fluid.stiffness", "Tait", |s| {
         s.fluid.stiffness = Some(1000.0);
         s.model.equation_of_state = EquationOfState::Desbrun;
@@ -107,6 +115,8 @@ fn bounds() {
     };
     let result = scene(|s| s.walls = [plane(Face::Floor, [1.0, 0.5, 1.0])].into_iter().collect());
     assert_eq!(result, Err(SceneError::WallExtent { wall: 0, axis: 1, size: 0.5 }));
+    let result = scene(|s| s.walls = [plane(Face::Floor, [1e30, 0.0, 1.0])].into_iter().collect());
+    assert!(matches!(result, Err(SceneError::WallExtent { wall: 0, axis: 0, .. })), "{result:?}");
     assert_eq!(scene(|s| s.walls = [plane(Face::Floor, [1.0, 0.0, 1.0])].into_iter().collect()), Ok(()));
 }
 

@@ -3,7 +3,7 @@ use crate::kernel::near_slope_constant;
 use crate::lattice_sums::{gradient_squares, kernel_sum};
 use crate::layout::{PLANES, Parameters, Planes, SPECIES, f32x4};
 use crate::scene::{
-    BLOCKS, DensityForm, Dimension, EquationOfState, Face, Iteration, NearPressure, Scene, SupportRange, Viscosity,
+    BLOCKS, Dimension, EquationOfState, Face, Iteration, NearPressure, PressureForce, Scene, SupportRange, Viscosity,
 };
 use core::f64::consts::PI;
 
@@ -94,7 +94,7 @@ pub fn correction_stiffness(scene: &Scene) -> f64 {
     }
     let dt = f64::from(scene.time_step);
     let thinning = dt * dt / f64::from(scene.fluid.rest_density) * gradient_squares(scene);
-    RELAXATION / (thinning + 1.0 / bulk)
+    RELAXATION / (thinning + f64::from(CORRECTION_SOURCE) / bulk)
 }
 
 /// Density, less the rest density, over it, and pressure in Pa, that hold the weight of the fluid above (S3 section 3.1 per
@@ -109,7 +109,10 @@ pub fn hydrostatic_deviation(scene: &Scene, position: [f32; 3]) -> (f64, f32) {
     };
     let surface = scene.blocks.iter().map(top).fold(f64::INFINITY, f64::min);
     // g . x grows downwards
-    let pressure = f64::from(scene.fluid.rest_density) * (along(position) - surface).max(0.0);
+    // what surrounds the fluid carries its share, and Mueller's form answers a weight with twice its pressure
+    let weighed = f64::from(scene.fluid.rest_density) - f64::from(scene.ambient_density);
+    let answer = if scene.model.pressure_force == PressureForce::Mueller { 2.0 } else { 1.0 };
+    let pressure = answer * weighed * (along(position) - surface).max(0.0);
     let stiffness = state_stiffness(scene);
     let deviation = match scene.model.equation_of_state {
         EquationOfState::Tait => libm::pow(1.0 + pressure / stiffness, 1.0 / 7.0) - 1.0,
@@ -136,12 +139,6 @@ pub fn parameters(scene: &Scene) -> Parameters {
     let pressure_constant = model.pressure_kernel.normalisation(d) * over(d + 1);
     let viscosity_constant = model.viscosity_kernel.normalisation(d) * over(d + 1);
     let density_constant = model.density_kernel.normalisation(d) * over(d);
-    let per_volume = match model.density {
-        // over the lattice's own number density: what masses calibrate, numbers do too
-        DensityForm::NumberDensity if model.calibrated_mass => rest_volume,
-        DensityForm::NumberDensity => power(f64::from(scene.particle_spacing), d),
-        _ => rest_volume,
-    };
     let range = model.variable_support.unwrap_or(SupportRange { smallest: 1.0, largest: 1.0 });
     let correction = correction_stiffness(scene);
     let near = near_stiffness(scene);
@@ -180,7 +177,7 @@ pub fn parameters(scene: &Scene) -> Parameters {
         rest_volume: rest_volume as f32,
         rest_density: fluid.rest_density,
         speed_of_sound: fluid.speed_of_sound,
-        density_constant: (per_volume * density_constant) as f32,
+        density_constant: (rest_volume * density_constant) as f32,
         continuity_constant: (rest_volume * pressure_constant / support) as f32,
         pressure_constant: pressure_constant as f32,
         near_constant: (near_constant * over(d + 1)) as f32,
@@ -249,9 +246,8 @@ fn species(scene: &Scene) -> [f32x4; SPECIES] {
     for (i, block) in scene.blocks.iter().enumerate() {
         kinds[1 + i][0] = block.dynamic_viscosity.unwrap_or(own);
     }
-    for (kind, i) in kinds[1 + BLOCKS..].iter_mut().zip(0..) {
-        let wall = scene.walls.get(i);
-        *kind = [wall.and_then(|wall| wall.dynamic_viscosity).unwrap_or(own), 1.0, 0.0, 0.0];
+    for (kind, wall) in kinds[1 + BLOCKS..].iter_mut().zip(&scene.walls) {
+        *kind = [wall.dynamic_viscosity.unwrap_or(own), 1.0, 0.0, 0.0];
     }
     kinds
 }

@@ -8,7 +8,7 @@ use crate::layout::{Parameters, SPECIES, f32x4};
 use crate::memory::{Memory, Needs, State};
 use crate::passes::Setup;
 use crate::plan::Plan;
-use crate::scene::{Dimension, Place, Scene, check_count, places};
+use crate::scene::{BLOCKS, Dimension, Place, Scene, check_count, places};
 use crate::step::{self, Pass, Settled};
 use crate::tables::fill_tables;
 use glam::Vec3;
@@ -130,9 +130,11 @@ impl<'m> Solver<'m> {
             if scene.dimension == Dimension::Two && (z != 0.0 || w != 0.0) {
                 return Err(SceneError::OutOfPlane);
             }
-            let kinds = SPECIES as u32;
+            let first_wall = 1 + BLOCKS as u32;
+            let last_wall = first_wall + scene.walls.len() as u32;
+            let known = |kind: u32| kind <= scene.blocks.len() as u32 || (first_wall..last_wall).contains(&kind);
             let (masses, species) = (self.plan.model.masses == 1, self.plan.model.species == 1);
-            if place.species >= kinds || (place.species > 0 && !species) || (place.mass != 1.0 && !masses) {
+            if !known(place.species) || (place.species > 0 && !species) || (place.mass != 1.0 && !masses) {
                 return Err(SceneError::UnplannedParticle { particle: slot as u32 });
             }
             if !(place.mass > 0.0 && place.mass.is_finite()) {
@@ -184,7 +186,8 @@ impl<'m> Solver<'m> {
     }
 
     /// The host's field from now on, one acceleration a node of [`Scene::field`], x fastest, m/s2; the fourth numbers are
-    /// unused. A field that changes with time is set again before each step.
+    /// unused. A field that changes with time is set again before each step, as it will be at the end of the step; set before
+    /// the first step, it also acts in that step's first half.
     ///
     /// # Errors
     /// Fewer or more nodes than the scene says, or a value that is not finite; the field then stays as it was.
@@ -197,6 +200,11 @@ impl<'m> Solver<'m> {
             return Err(SceneError::NotFinite { field: "field", value });
         }
         self.memory.field.copy_from_slice(nodes);
+        if self.steps == 0 && needed > 0 {
+            // the first half kick is made by the accelerations at the start
+            let at_rest = self.parameters.at_rest();
+            self.advance(&Serial, &at_rest, &mut |_| ())?;
+        }
         Ok(())
     }
 

@@ -2,7 +2,7 @@
 use crate::arithmetic::double::Double;
 use crate::layout::{Model, TABLE_ENTRIES, Tables};
 use crate::scene::{Evaluation, ModelChoice, Viscosity};
-use crate::terms::kernel::{kernel_laplacian, kernel_slope, kernel_w};
+use crate::terms::kernel::{kernel_curvature, kernel_laplacian, kernel_slope, kernel_w};
 use crate::terms::table::{DENSITY_TABLE, PRESSURE_TABLE, VISCOSITY_TABLE};
 use bytemuck::Zeroable;
 
@@ -11,6 +11,10 @@ pub(crate) fn fill_tables(choice: &ModelChoice, d: usize, tables: &mut Tables) {
     let m = Model { layers: u32::from(d == 3), ..Model::zeroed() };
     let squared = choice.evaluation == Evaluation::SquaredTable;
     let of_viscosity = |q: Double| match choice.viscosity {
+        // at no distance: the limit of the smooth ones, where w' / q is w''
+        Viscosity::Mueller if q.0 == 0.0 && !choice.viscosity_kernel.is_cusped() => {
+            kernel_curvature(choice.viscosity_kernel as u32, q) * d as f32
+        }
         Viscosity::Mueller => kernel_laplacian(&m, choice.viscosity_kernel as u32, q),
         _ => kernel_slope(&m, choice.viscosity_kernel as u32, q),
     };

@@ -11,6 +11,7 @@ use crate::arithmetic::real::{Real, less, real, select, vec3};
 use crate::executor::{Executor, Jobs, parts, share_of, take};
 use crate::grid::{Cells, Stencil};
 use crate::layout::{Model, f32x4};
+use crate::terms::correction::pressure_carried;
 use crate::terms::density::{
     CONTINUITY, continuity_neighbour, deviation_of_sum, deviation_stepped, summed_neighbour, volume_close,
 };
@@ -189,7 +190,11 @@ impl Job<'_> {
                 } else {
                     deviation_of_sum(p, sum)
                 };
-                let mut pressure = if m.corrects_pressure() { previous(1) } else { pressure_of_state(m, p, deviation) };
+                let mut pressure = if m.corrects_pressure() {
+                    pressure_carried(m, previous(1))
+                } else {
+                    pressure_of_state(m, p, deviation)
+                };
                 pressure = pressure_close(m, pressure);
                 let mut near_pressure = near_pressure_close(m, p, deviation, near_sum);
                 if m.wall_particles == MIRRORED {

@@ -45,6 +45,10 @@ impl Scene {
         if self.model.near_pressure == NearPressure::Thesis && self.fluid.near_stiffness.is_none() {
             scale("fluid.speed_of_sound", self.fluid.speed_of_sound, &[derived.near_pressure_at_rest])?;
         }
+        if !derived.near_pressure_at_rest.is_finite() || !derived.near_density_constant.is_finite() {
+            let value = self.fluid.near_stiffness.unwrap_or(self.fluid.speed_of_sound);
+            return Err(SceneError::OutOfScale { field: "fluid.near_stiffness", value });
+        }
         scale("time_step", self.time_step, &[derived.inverse_time_step, derived.correction_stiffness])?;
         scale("fluid.rest_density", self.fluid.rest_density, &[derived.particle_mass])?;
         let of_length = [
@@ -186,7 +190,8 @@ impl Scene {
             };
             for axis in 0..self.dimension.count() {
                 let size = high[axis] - low[axis];
-                let fits = if Some(axis) == across { size == 0.0 } else { lattice::whole(size, self) > 0 };
+                let along = size.is_finite() && (1..=MOST_PARTICLES).contains(&lattice::whole(size, self));
+                let fits = if Some(axis) == across { size == 0.0 } else { along };
                 if !fits {
                     return Err(SceneError::WallExtent { wall, axis, size });
                 }

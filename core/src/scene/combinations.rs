@@ -2,7 +2,7 @@
 use super::check::positive;
 use super::{
     Correction, DensityForm, EquationOfState, Evaluation, Iteration, Kernel, NearPressure, PressureForce, Scene,
-    Viscosity,
+    Viscosity, WallPressure,
 };
 use crate::error::SceneError;
 
@@ -33,6 +33,13 @@ impl Scene {
                 "model.hydrostatic_start",
                 "model.equation_of_state IdealGas",
                 "a gas has no surface to measure depth from",
+            ));
+        }
+        if model.hydrostatic_start && self.ambient_density >= self.fluid.rest_density {
+            return Err(not_together(
+                "model.hydrostatic_start",
+                "an ambient_density as large as the fluid's",
+                "its surface would be at the other end",
             ));
         }
         if model.hydrostatic_start && self.gravity == [0.0; 3] {
@@ -85,6 +92,14 @@ impl Scene {
                 "model.pressure_force NumberDensity",
                 "a model.density other than NumberDensity",
                 "it is the gradient on that density",
+            ));
+        }
+        let mirrored = !self.walls.is_empty() && model.wall_pressure == WallPressure::Mirrored;
+        if mirrored && model.pressure_force == PressureForce::Difference {
+            return Err(not_together(
+                "model.pressure_force Difference",
+                "model.wall_pressure Mirrored",
+                "a mirrored pressure makes no difference, so nothing would hold the fluid",
             ));
         }
         if model.density == DensityForm::NumberDensity && model.hydrostatic_start {

@@ -8,7 +8,8 @@ pub struct Fluid {
     pub rest_density: f32,
     /// Speed of sound, m/s (default 10); about ten times the fastest flow keeps the density within 1 %.
     pub speed_of_sound: f32,
-    /// Tait's constant, Pa (default `rho0 c0^2 / 7`, the corrected constant of S3): S1's stiffness k.
+    /// Tait's constant, Pa (default `rho0 c0^2 / 7`, the corrected constant of S3): S1's stiffness k. The speed of sound then
+    /// only serves the artificial viscosity and the default near stiffness.
     pub stiffness: Option<f32>,
     /// Dynamic viscosity, Pa s (default 0: none). For [`Viscosity`](super::Viscosity)`::{Mueller, Morris, Dotted}`.
     pub dynamic_viscosity: f32,
@@ -19,7 +20,7 @@ pub struct Fluid {
     pub beta: f32,
     /// Share of the difference between two velocities that a neighbour at no distance exchanges in a step (S4; default 0),
     /// for [`Viscosity::Exchange`](super::Viscosity::Exchange). More than about 0.2 is cut down: see
-    /// [`terms::viscosity`](crate::terms::viscosity).
+    /// [`terms::exchange`](crate::terms::exchange).
     pub velocity_exchange: f32,
     /// The same, of the velocity with which two particles approach each other (S4's shock viscosity; default 0: none).
     /// Acts beside any viscosity.

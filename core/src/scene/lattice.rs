@@ -3,7 +3,7 @@ use super::walls::wall_places;
 use super::{Block, Dimension, Scene};
 use crate::guided::hydrostatic_deviation;
 
-/// One particle at the start.
+/// One particle at the start. Its thermal energy is the fluid's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
     /// Where, m.

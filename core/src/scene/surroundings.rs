@@ -105,7 +105,8 @@ pub struct Wind {
 }
 
 /// A lattice of accelerations that the host fills, as often as it likes
-/// ([`Solver::set_field`](crate::Solver::set_field)): between its nodes the field is linear, outside it there is none.
+/// ([`Solver::set_field`](crate::Solver::set_field)): between its nodes the field is linear, and beyond
+/// the outermost it falls to nothing within a spacing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct FieldLattice {

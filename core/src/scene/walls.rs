@@ -10,7 +10,8 @@ impl Scene {
             WallPressure::Mirrored => 2,
             WallPressure::QuasiFluid => 3,
         };
-        let reach = crate::guided::support_radius(self) / f64::from(self.particle_spacing);
+        let largest = self.model.variable_support.map_or(1.0, |range| f64::from(range.largest));
+        let reach = crate::guided::support_radius(self) * largest / f64::from(self.particle_spacing);
         least.max((reach.min(64.0) + 0.5) as u32)
     }
 }
@@ -48,7 +49,7 @@ fn layers_of(wall: &Wall, scene: &Scene) -> Layers {
                 let axis = face.axis();
                 let round = scene.periodic.is_some_and(|periodic| periodic.axes[axis]);
                 if !open.contains(face) && !round {
-                    counts[axis] += layers;
+                    counts[axis] = counts[axis].saturating_add(layers);
                     if !face.is_high() {
                         corner[axis] -= layers as f64 * spacing;
                         offset[axis] = layers;

@@ -10,6 +10,15 @@ pub const RELAXED: u32 = 0;
 /// As printed.
 pub const LITERAL: u32 = 1;
 
+/// Where the iterations of a step begin, Pa: at the pressure of the step before; by the letter, at none.
+#[inline(always)]
+pub fn pressure_carried<R: Real>(m: &Model, before: R) -> R {
+    if m.iteration == LITERAL {
+        return real(0.0);
+    }
+    return before;
+}
+
 /// Velocity that a particle would drift with in the next step, m/s.
 #[inline(always)]
 pub fn predicted_velocity<R: Real>(p: &Parameters, velocity: vec3<R>, acceleration: vec3<R>) -> vec3<R> {
@@ -19,14 +28,15 @@ pub fn predicted_velocity<R: Real>(p: &Parameters, velocity: vec3<R>, accelerati
 /// How far the next density would be off, over the rest density. `rate` is that of the deviation at the predicted velocities.
 ///
 /// Relaxed: from `P / (rho0 c0^2)`, the compression that the pressure stands for, so that the fluid has its real speed of
-/// sound; what density is off by already is mended in a few steps, since in one it would shake the particles. Literal (S0 eq. 3.3): from no change at all.
+/// sound; what density is off by already is mended in a few steps, since in one it would shake the particles. Literal (S0
+/// eq. 3.3): from no change at all.
 #[inline(always)]
 pub fn density_miss<R: Real>(m: &Model, p: &Parameters, pressure: R, deviation: R, rate: R) -> R {
     let change = rate * p.continuity_constant * p.time_step;
     if m.iteration == LITERAL {
         return change;
     }
-    return deviation * p.correction_source + change - pressure * p.compressibility;
+    return (deviation - pressure * p.compressibility) * p.correction_source + change;
 }
 
 /// Pressure after an iteration, Pa: `P + k miss`, where k is `rho0 c0^2`, or what the lattice can bear.

@@ -1,5 +1,6 @@
 //! XSPH (Monaghan 1989; S0 eq. 2.16 per errata, S3): a particle moves with a velocity nearer to its neighbours'.
 use super::geometry::*;
+use super::kernel::*;
 use super::pair::*;
 use super::table::*;
 use crate::arithmetic::real::*;
@@ -10,9 +11,10 @@ use crate::layout::{Model, Parameters, Tables};
 pub fn xsph_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>) -> vec3<R> {
     let x_ab = separation(m, p, a.position, b.position);
     let scale = pair_scale(m, a.support, b.support);
-    let w = value_scaled(m, density_kernel(m, t, squared_ratio(m, p, x_ab, scale)), scale);
+    let q2 = squared_ratio(m, p, x_ab, scale);
+    let w = value_scaled(m, density_kernel(m, t, q2), scale);
     let both = a.deviation + b.deviation + 2.0;
-    return (b.velocity - a.velocity) * div(w * b.mass * 2.0, both);
+    return (b.velocity - a.velocity) * if_inside(q2, div(w * b.mass * 2.0, both));
 }
 
 /// The velocity to move with beside the particle's own, m/s.

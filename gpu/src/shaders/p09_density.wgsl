@@ -39,7 +39,7 @@ fn pass_body(a: u32) {
   var deviation = 0.0f;
   if m.density == CONTINUITY { deviation = deviation_stepped(previous[a].x, sum); } else { deviation = deviation_of_sum(sum); }
   var pressure = 0.0f;
-  if m.equation_of_state == PRESSURE_CORRECTION { pressure = previous[a].y; } else { pressure = pressure_of_state(deviation); }
+  if m.equation_of_state == PRESSURE_CORRECTION { pressure = pressure_carried(previous[a].y); } else { pressure = pressure_of_state(deviation); }
   let near_pressure = near_pressure_close(deviation, near_sum);
   new_density_pressure[a] =
     vec4(deviation, pressure_close(pressure), near_pressure, volume_close(x_a.w, deviation));
