@@ -119,6 +119,7 @@ fn across_the_seams_of_a_periodic_domain() {
         [(Dimension::Two, [true, false, false]), (Dimension::Two, [true; 3]), (Dimension::Three, [true; 3])]
     {
         let mut scene = scene_in(dimension);
+        scene.blocks.clear();
         // 3 cells of 0.147 m fit in the plane, and no fourth
         let (low, high) = ([-0.1, 0.2, -0.3], [0.4, 0.7, 0.2]);
         scene.periodic = Some(Periodic { low, high, axes });

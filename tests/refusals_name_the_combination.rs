@@ -106,8 +106,17 @@ fn bounds() {
     let axes = [false, true, false];
     let result = scene(|s| s.periodic = Some(Periodic { low: [0.0; 3], high: [1.0, 0.0, 1.0], axes }));
     assert_eq!(result, Err(SceneError::EmptyDomain { axis: 1, low: 0.0, high: 0.0 }));
-    let result = scene(|s| s.periodic = Some(Periodic { low: [0.0; 3], high: [1.0, 0.2, 1.0], axes }));
+    let result = scene(|s| {
+        s.blocks[0].size[1] = 0.2;
+        s.periodic = Some(Periodic { low: [0.0; 3], high: [1.0, 0.2, 1.0], axes });
+    });
     assert_eq!(result, Err(SceneError::TooFewCells { axis: 1, cells: 2 }));
+    let result = scene(|s| {
+        (s.blocks[0].size[1], s.average_neighbours) = (0.5, 8.0);
+        s.periodic = Some(Periodic { low: [0.0; 3], high: [0.0, 0.4, 0.0], axes });
+    });
+    let by = 0.5f32 - 0.4;
+    assert_eq!(result, Err(SceneError::LapsItself { what: "blocks", index: 0, axis: 1, by }));
     let plane = |face, high: [f32; 3]| Wall {
         shape: WallShape::Plane { face, low: [0.0; 3], high },
         velocity: [0.0; 3],
@@ -117,6 +126,9 @@ fn bounds() {
     assert_eq!(result, Err(SceneError::WallExtent { wall: 0, axis: 1, size: 0.5 }));
     let result = scene(|s| s.walls = [plane(Face::Floor, [1e30, 0.0, 1.0])].into_iter().collect());
     assert!(matches!(result, Err(SceneError::WallExtent { wall: 0, axis: 0, .. })), "{result:?}");
+    let advancing = Wall { velocity: [1.0, -2.0, 0.0], ..plane(Face::Floor, [1.0, 0.0, 1.0]) };
+    let result = scene(|s| s.walls = [advancing].into_iter().collect());
+    assert_eq!(result, Err(SceneError::WallAdvances { wall: 0, axis: 1, velocity: -2.0 }));
     assert_eq!(scene(|s| s.walls = [plane(Face::Floor, [1.0, 0.0, 1.0])].into_iter().collect()), Ok(()));
 }
 

@@ -82,6 +82,26 @@ pub enum SceneError {
         /// Its high side, m.
         high: f32,
     },
+    /// A block or a wall is longer than the period of an axis, so that it would lie on its own image.
+    LapsItself {
+        /// `blocks` or `walls`.
+        what: &'static str,
+        /// Which of them, counted from 0.
+        index: usize,
+        /// 0, 1, 2 for x, y, z.
+        axis: usize,
+        /// How much too long it is, m.
+        by: f32,
+    },
+    /// A wall's particles stay where they are, so its surface can slide and not come nearer.
+    WallAdvances {
+        /// Which wall, counted from 0.
+        wall: usize,
+        /// 0, 1, 2 for x, y, z.
+        axis: usize,
+        /// Its velocity along that axis, across itself, m/s.
+        velocity: f32,
+    },
     /// A wall is thinner than half a spacing along an axis, or a plane has an extent across itself.
     WallExtent {
         /// Which wall, counted from 0.
@@ -248,6 +268,13 @@ impl fmt::Display for SceneError {
             }
             SceneError::EmptyDomain { axis, low, high } => {
                 write!(f, "periodic has no inside along {}: low {low} m, high {high} m", AXES[axis])
+            }
+            SceneError::LapsItself { what, index, axis, by } => {
+                write!(f, "{what}[{index}] is {by} m longer than the period along {}", AXES[axis])
+            }
+            SceneError::WallAdvances { wall, axis, velocity } => {
+                let axis = AXES[axis];
+                write!(f, "walls[{wall}].velocity is {velocity} m/s along {axis}, across it: a wall slides, and stays")
             }
             SceneError::WallExtent { wall, axis, size } => {
                 let axis = AXES[axis];

@@ -170,6 +170,18 @@ impl Scene {
             if low >= high {
                 return Err(SceneError::EmptyDomain { axis, low, high });
             }
+            // sizes are rounded to whole particles
+            let room = high - low + 0.51 * self.particle_spacing;
+            let blocks = self.blocks.iter().map(|b| ("blocks", b.size[axis]));
+            let walls = self.walls.iter().map(|w| {
+                let (WallShape::Plane { low, high, .. } | WallShape::Box { low, high, .. }) = &w.shape;
+                ("walls", high[axis] - low[axis])
+            });
+            for (index, (what, size)) in blocks.enumerate().chain(walls.enumerate()) {
+                if size > room {
+                    return Err(SceneError::LapsItself { what, index, axis, by: size - (high - low) });
+                }
+            }
         }
         Ok(())
     }
@@ -188,6 +200,11 @@ impl Scene {
                 WallShape::Plane { face, .. } => Some(face.axis()),
                 WallShape::Box { .. } => None,
             };
+            if let Some(axis) = across
+                && w.velocity[axis] != 0.0
+            {
+                return Err(SceneError::WallAdvances { wall, axis, velocity: w.velocity[axis] });
+            }
             for axis in 0..self.dimension.count() {
                 let size = high[axis] - low[axis];
                 let along = size.is_finite() && (1..=MOST_PARTICLES).contains(&lattice::whole(size, self));
