@@ -2,8 +2,6 @@
 //! entries.
 use crate::error::SceneError;
 use crate::layout::{TABLE_WORDS, Tables, f32x4};
-use crate::plan::Plan;
-use crate::scene::Scene;
 
 /// Entries of the neighbour lists for each particle. A block whose list is full walks its stencil again; 25 was the
 /// largest mean seen in moving fluid of 27 to 32 neighbours.
@@ -93,30 +91,6 @@ pub struct Needs {
 }
 
 impl Needs {
-    /// Of a scene that [`Scene::check`] accepts.
-    #[must_use]
-    pub fn of(scene: &Scene) -> Needs {
-        Needs::by_plan(scene, &Plan::of(scene))
-    }
-
-    /// Of a scene by this plan of it.
-    #[must_use]
-    pub fn by_plan(scene: &Scene, plan: &Plan) -> Needs {
-        let m = &plan.model;
-        let cells = scene.cells().iter().map(|&n| n as usize).product();
-        Needs {
-            particles: scene.particle_count(),
-            cells,
-            places: m.cell_places as usize * cells,
-            smoothing: m.xsph == 1,
-            heat: m.thermal_energy == 1,
-            previous: m.needs_previous(),
-            free: m.corrects_pressure(),
-            tables: m.reads_tables(),
-            nodes: scene.field_counts()[3] as usize,
-        }
-    }
-
     /// Entries of an array that exists only where it is needed.
     fn if_needed(&self, needed: bool) -> usize {
         if needed { self.particles } else { 0 }

@@ -3,6 +3,7 @@
 //! A pure function of the scene. What is left out is not computed at all, and what remains keeps its place in every sum,
 //! so a plan never changes a bit: [`Plan::everything`] runs too, and a test compares.
 use crate::layout::Model;
+use crate::memory::Needs;
 use crate::scene::{
     DensityForm, Dimension, EquationOfState, Evaluation, GridStructure, Iteration, ModelChoice, NearPressure,
     Reflection, Scene, Viscosity,
@@ -248,5 +249,31 @@ impl Plan {
             (true, "emitters over time", "no scene of this version can ask for it"),
         ];
         all.into_iter().filter(|(left_out, ..)| *left_out).map(|(_, what, why)| LeftOut { what, why }).collect()
+    }
+}
+
+impl Needs {
+    /// Of a scene that [`Scene::check`] accepts.
+    #[must_use]
+    pub fn of(scene: &Scene) -> Needs {
+        Needs::by_plan(scene, &Plan::of(scene))
+    }
+
+    /// Of a scene by this plan of it.
+    #[must_use]
+    pub fn by_plan(scene: &Scene, plan: &Plan) -> Needs {
+        let m = &plan.model;
+        let cells = scene.cells().iter().map(|&n| n as usize).product();
+        Needs {
+            particles: scene.particle_count(),
+            cells,
+            places: m.cell_places as usize * cells,
+            smoothing: m.xsph == 1,
+            heat: m.thermal_energy == 1,
+            previous: m.needs_previous(),
+            free: m.corrects_pressure(),
+            tables: m.reads_tables(),
+            nodes: scene.field_counts()[3] as usize,
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! `kernels`: every kernel by quadrature, by differences, on lattices against the catalogue's table, and from tables.
 use super::flow::larger;
+use super::lattice::kernel_called;
 use super::outcome::table;
 use super::reference::{entry, number, rows};
 use super::{Context, Figure, Outcome, evaluation, lattice};
@@ -141,18 +142,6 @@ fn relative(pairs: impl Iterator<Item = [f64; 2]>) -> f64 {
     let (miss, largest) =
         pairs.fold((0.0, 0.0), |(miss, largest), [a, b]| (larger(miss, (a - b).abs()), larger(largest, a.abs())));
     miss / largest
-}
-
-/// The kernel that the catalogue's tables call so.
-pub(super) fn kernel_called(name: &str) -> Option<Kernel> {
-    match name {
-        "cubic spline" => Some(Kernel::CubicSpline),
-        "Wendland C2" => Some(Kernel::WendlandC2),
-        "Wendland C4" => Some(Kernel::WendlandC4),
-        "poly6" => Some(Kernel::Poly6),
-        "spiky" => Some(Kernel::Spiky),
-        _ => None,
-    }
 }
 
 /// Largest relative miss of W at no distance against the catalogue's table.

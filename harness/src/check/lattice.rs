@@ -1,7 +1,6 @@
 //! Sums of kernels over lattices, against the catalogue's table: what density, gradient and Laplacian come to where the
 //! particles start.
 use super::Figure;
-use super::kernels::kernel_called;
 use super::outcome::table;
 use super::reference::{entry, number, rows};
 use crate::failure::Failure;
@@ -115,4 +114,16 @@ pub(super) fn figures() -> Result<(Vec<Figure>, String), Failure> {
 
 fn number_of(x: f64) -> String {
     format!("{x:+.2e}")
+}
+
+/// The kernel that the catalogue's tables call so.
+pub(super) fn kernel_called(name: &str) -> Option<Kernel> {
+    match name {
+        "cubic spline" => Some(Kernel::CubicSpline),
+        "Wendland C2" => Some(Kernel::WendlandC2),
+        "Wendland C4" => Some(Kernel::WendlandC4),
+        "poly6" => Some(Kernel::Poly6),
+        "spiky" => Some(Kernel::Spiky),
+        _ => None,
+    }
 }
