@@ -5,11 +5,15 @@ use crate::grid::Cells;
 use crate::layout::{NONE, Status};
 use crate::memory::{Scratch, State};
 use crate::passes::local::Particles;
-use crate::passes::pairs::Lists;
+use crate::passes::p10_force::Force;
+use crate::passes::p11_pressure_force::PressureForce;
+use crate::passes::p12_pressure_correct::PressureCorrect;
+use crate::passes::p14_heat::Heat;
+use crate::passes::p15_smooth::Smooth;
+use crate::passes::pairs::{self, Lists};
 use crate::passes::{
     Setup, p01_integrate_before, p02_count, p03_cell_lists, p04_scan, p05_place, p06_order, p07_gather, p08_support,
-    p09_density, p10_force, p11_pressure_force, p12_pressure_correct, p13_pressure_settle, p14_heat, p15_smooth,
-    p16_integrate_after, p17_commit,
+    p09_density, p13_pressure_settle, p16_integrate_after, p17_commit,
 };
 
 /// Declares the passes once: name, what it does, name of its file.
@@ -141,14 +145,14 @@ pub(crate) fn run(
     let mut settled = Settled::default();
     let known = Particles { density_pressure: new.density_pressure, ..unknown };
     if m.corrects_pressure() {
-        p10_force::run(setup, executor, known, lists, s.free);
+        pairs::run(setup, executor, known, lists, &Force, s.free);
         for _ in 0..iterations {
             begins(Pass::PressureForce);
             let known = Particles { density_pressure: new.density_pressure, ..unknown };
-            p11_pressure_force::run(setup, executor, known, lists, s.free, new.acceleration);
+            pairs::run(setup, executor, known, lists, &PressureForce { free: s.free }, new.acceleration);
             begins(Pass::PressureCorrect);
-            let (acceleration, pressures) = (&*new.acceleration, &mut *new.density_pressure);
-            let residual = p12_pressure_correct::run(setup, executor, unknown, lists, acceleration, pressures);
+            let correct = PressureCorrect { acceleration: new.acceleration };
+            let residual = pairs::run(setup, executor, unknown, lists, &correct, new.density_pressure);
             begins(Pass::PressureSettle);
             settled = Settled { iterations: settled.iterations + 1, residual: f32::from_bits(residual) };
             if p13_pressure_settle::run(p, residual) {
@@ -157,19 +161,19 @@ pub(crate) fn run(
         }
         begins(Pass::PressureForce);
         let known = Particles { density_pressure: new.density_pressure, ..unknown };
-        p11_pressure_force::run(setup, executor, known, lists, s.free, new.acceleration);
+        pairs::run(setup, executor, known, lists, &PressureForce { free: s.free }, new.acceleration);
     } else {
-        p10_force::run(setup, executor, known, lists, new.acceleration);
+        pairs::run(setup, executor, known, lists, &Force, new.acceleration);
     }
 
     let known = Particles { density_pressure: new.density_pressure, ..unknown };
     if m.thermal_energy == 1 {
         begins(Pass::Heat);
-        p14_heat::run(setup, executor, known, lists, new.acceleration, new.heat);
+        pairs::run(setup, executor, known, lists, &Heat { acceleration: new.acceleration }, new.heat);
     }
     if m.xsph == 1 {
         begins(Pass::Smooth);
-        p15_smooth::run(setup, executor, known, lists, new.acceleration, new.smoothing);
+        pairs::run(setup, executor, known, lists, &Smooth { acceleration: new.acceleration }, new.smoothing);
     }
     begins(Pass::IntegrateAfter);
     let not_finite = p16_integrate_after::run(setup, executor, new);

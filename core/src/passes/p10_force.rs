@@ -1,28 +1,16 @@
 //! Acceleration of each particle: pressure, viscosity and what acts from outside; without pressure where that is iterated
 //! later. Walks the neighbour lists of the density pass.
-use super::local::Particles;
-use super::pairs::{Block, Job, Lists, PairPass, fold, run as run_pairs};
-use super::{Setup, field, store};
+use super::pairs::{Block, Job, PairPass, fold};
+use super::{field, store};
 use crate::arithmetic::real::{Real, real, vec3};
-use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::terms::exchange::{exchange_close, exchange_neighbour, exchange_share};
 use crate::terms::external::external_close;
 use crate::terms::neighbour::{acceleration_close, force_neighbour};
 use crate::terms::wall::if_free;
 
-struct Force;
-
-/// Fills `out`, the accelerations.
-pub(crate) fn run(
-    setup: Setup<'_>,
-    executor: &impl Executor,
-    particles: Particles<'_>,
-    lists: Lists<'_>,
-    out: &mut [f32x4],
-) {
-    run_pairs(setup, executor, particles, lists, &Force, out);
-}
+/// What acts on each particle.
+pub(crate) struct Force;
 
 impl PairPass for Force {
     fn work(job: &mut Job<'_, Self>) {

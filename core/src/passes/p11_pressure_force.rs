@@ -1,28 +1,15 @@
 //! Acceleration by the pressure of an iteration, added to all else. Only where pressure is corrected.
-use super::local::Particles;
-use super::pairs::{Block, Job, Lists, PairPass, fold, run as run_pairs};
-use super::{Setup, load, store};
+use super::pairs::{Block, Job, PairPass, fold};
+use super::{load, store};
 use crate::arithmetic::real::{Real, real, vec3};
-use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::terms::geometry::flush3;
 use crate::terms::neighbour::{acceleration_close, pressure_neighbour};
 use crate::terms::wall::if_free;
 
-struct PressureForce<'a> {
-    free: &'a [f32x4],
-}
-
-/// Fills `out`, the accelerations, from `free`, those without pressure.
-pub(crate) fn run(
-    setup: Setup<'_>,
-    executor: &impl Executor,
-    particles: Particles<'_>,
-    lists: Lists<'_>,
-    free: &[f32x4],
-    out: &mut [f32x4],
-) {
-    run_pairs(setup, executor, particles, lists, &PressureForce { free }, out);
+/// Makes accelerations of `free`, those without pressure.
+pub(crate) struct PressureForce<'a> {
+    pub free: &'a [f32x4],
 }
 
 impl PairPass for PressureForce<'_> {

@@ -1,9 +1,7 @@
 //! One iteration of pressure: how far the next density would miss, and what mends it. Only where pressure is corrected.
-use super::local::Particles;
-use super::pairs::{Block, Job, Lists, PairPass, fold, run as run_pairs};
-use super::{Setup, load};
+use super::load;
+use super::pairs::{Block, Job, PairPass, fold};
 use crate::arithmetic::real::{Real, real, select, vec3};
-use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::terms::correction::{density_miss, predicted_velocity, pressure_corrected, residual};
 use crate::terms::density::continuity_neighbour;
@@ -11,20 +9,9 @@ use crate::terms::kernel::if_inside;
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use crate::terms::wall::MIRRORED;
 
-struct PressureCorrect<'a> {
-    acceleration: &'a [f32x4],
-}
-
-/// Corrects the pressures in `density_pressure`; returns the largest miss, as the bits of a number that is not negative.
-pub(crate) fn run(
-    setup: Setup<'_>,
-    executor: &impl Executor,
-    particles: Particles<'_>,
-    lists: Lists<'_>,
-    acceleration: &[f32x4],
-    density_pressure: &mut [f32x4],
-) -> u32 {
-    run_pairs(setup, executor, particles, lists, &PressureCorrect { acceleration }, density_pressure)
+/// Corrects the pressures of `density_pressure`; returns the largest miss, as the bits of a number that is not negative.
+pub(crate) struct PressureCorrect<'a> {
+    pub acceleration: &'a [f32x4],
 }
 
 impl PairPass for PressureCorrect<'_> {

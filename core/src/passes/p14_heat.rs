@@ -1,28 +1,15 @@
 //! Thermal energy of each particle. Only where a scene keeps account of it.
-use super::local::Particles;
-use super::pairs::{Block, Job, Lists, PairPass, fold, run as run_pairs};
-use super::{Setup, load};
+use super::load;
+use super::pairs::{Block, Job, PairPass, fold};
 use crate::arithmetic::real::{Real, real, vec3};
-use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::terms::exchange::{exchange_close, exchange_share};
 use crate::terms::heat::{exchange_heat, heat_close, heat_neighbour, heat_stepped};
 use crate::terms::integrate::velocity_at_step;
 
-struct Heat<'a> {
-    acceleration: &'a [f32x4],
-}
-
 /// Steps `heat`, whose entries are the energy and its rate before the step.
-pub(crate) fn run(
-    setup: Setup<'_>,
-    executor: &impl Executor,
-    particles: Particles<'_>,
-    lists: Lists<'_>,
-    acceleration: &[f32x4],
-    heat: &mut [f32x4],
-) {
-    run_pairs(setup, executor, particles, lists, &Heat { acceleration }, heat);
+pub(crate) struct Heat<'a> {
+    pub acceleration: &'a [f32x4],
 }
 
 impl PairPass for Heat<'_> {

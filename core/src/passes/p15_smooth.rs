@@ -1,28 +1,15 @@
 //! XSPH: the velocity that each particle moves with in the next step, beside its own. Only with XSPH.
-use super::local::Particles;
-use super::pairs::{Block, Job, Lists, PairPass, fold, run as run_pairs};
-use super::{Setup, load, store};
+use super::pairs::{Block, Job, PairPass, fold};
+use super::{load, store};
 use crate::arithmetic::real::{Real, real, vec3};
-use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::terms::integrate::velocity_at_step;
 use crate::terms::wall::if_free;
 use crate::terms::xsph::{xsph_close, xsph_neighbour};
 
-struct Smooth<'a> {
-    acceleration: &'a [f32x4],
-}
-
-/// Fills `out`. With the velocities at the step, which the kick that is about to come makes.
-pub(crate) fn run(
-    setup: Setup<'_>,
-    executor: &impl Executor,
-    particles: Particles<'_>,
-    lists: Lists<'_>,
-    acceleration: &[f32x4],
-    out: &mut [f32x4],
-) {
-    run_pairs(setup, executor, particles, lists, &Smooth { acceleration }, out);
+/// With the velocities at the step, which the kick that is about to come makes of these accelerations.
+pub(crate) struct Smooth<'a> {
+    pub acceleration: &'a [f32x4],
 }
 
 impl PairPass for Smooth<'_> {

@@ -20,7 +20,7 @@ pub(crate) struct Lists<'a> {
 }
 
 /// A block: up to as many particles of one cell as there are lanes, side by side from `first` on.
-pub(super) struct Block<'a> {
+pub(crate) struct Block<'a> {
     pub(super) setup: &'a Setup<'a>,
     pub(super) particles: &'a Particles<'a>,
     pub(super) lists: &'a Lists<'a>,
@@ -65,7 +65,7 @@ impl Block<'_> {
 }
 
 /// A pass that makes one entry a particle of what its neighbours add up to.
-pub(super) trait PairPass: Sync + Sized {
+pub(crate) trait PairPass: Sync + Sized {
     /// Does a job: `job.run()`. Written out in each pass, and so compiled once, in this crate: what is generic is compiled again
     /// in every program that brings an executor of its own.
     fn work(job: &mut Job<'_, Self>);
@@ -75,7 +75,7 @@ pub(super) trait PairPass: Sync + Sized {
 }
 
 /// A share of the blocks.
-pub(super) struct Job<'a, P> {
+pub(crate) struct Job<'a, P> {
     setup: Setup<'a>,
     particles: Particles<'a>,
     lists: Lists<'a>,
@@ -87,7 +87,7 @@ pub(super) struct Job<'a, P> {
 }
 
 /// Runs a pass over all blocks; returns the largest of what they return.
-pub(super) fn run<P: PairPass>(
+pub(crate) fn run<P: PairPass>(
     setup: Setup<'_>,
     executor: &impl Executor,
     particles: Particles<'_>,
