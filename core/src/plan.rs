@@ -5,11 +5,11 @@
 use crate::layout::Model;
 use crate::memory::Needs;
 use crate::scene::{
-    DensityForm, Dimension, EquationOfState, Evaluation, GridStructure, Iteration, ModelChoice, NearPressure,
-    Reflection, Scene, Viscosity,
+    DensityForm, Dimension, EquationOfState, Evaluation, GridStructure, ModelChoice, NearPressure, Reflection, Scene,
+    Viscosity,
 };
 use crate::step::Pass;
-use crate::terms::{near, table, viscosity, wall};
+use crate::terms::{near, viscosity, wall};
 use heapless::Vec;
 
 /// What a step of a scene consists of.
@@ -81,14 +81,10 @@ impl Plan {
                 density_kernel: choice.density_kernel as u32,
                 pressure_kernel: choice.pressure_kernel as u32,
                 viscosity_kernel: choice.viscosity_kernel as u32,
-                evaluation: match choice.evaluation {
-                    Evaluation::Direct => table::DIRECT,
-                    Evaluation::Table => table::TABLE,
-                    Evaluation::SquaredTable => table::SQUARED_TABLE,
-                },
+                evaluation: choice.evaluation as u32,
                 density: choice.density as u32,
                 equation_of_state: choice.equation_of_state as u32,
-                iteration: u32::from(choice.correction.iteration == Iteration::Literal),
+                iteration: choice.correction.iteration as u32,
                 suction: u32::from(choice.suction),
                 pressure_force: choice.pressure_force as u32,
                 near_pressure: near as u32,

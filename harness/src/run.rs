@@ -177,6 +177,11 @@ pub fn run(
         warnings
             .push("near pressure without suction has nothing to balance it: this liquid will expand like a gas".into());
     }
+    if scene.field.is_some() {
+        warnings.push(
+            "the scene's field is its host's to fill, and this program fills none: it acts as if it were 0".into(),
+        );
+    }
     warnings.extend(pairing_warnings(scene));
     if last_census.density_error.mean > 0.03 {
         let percent = last_census.density_error.mean * 100.0;

@@ -106,8 +106,10 @@ impl<R: Real> Near<'_, R> {
         } else {
             summed_neighbour(m, t, mass_b, q2, scale)
         };
-        let near_added = if m.near_pressure == ARTICLE { near_density_neighbour(m, mass_b, q2, scale) } else { near };
-        [sum + added, if m.near_pressure == ARTICLE { near + near_added } else { near }]
+        if m.near_pressure == ARTICLE {
+            return [sum + added, near + near_density_neighbour(m, mass_b, q2, scale)];
+        }
+        [sum + added, near]
     }
 }
 

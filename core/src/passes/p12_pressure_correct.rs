@@ -1,7 +1,7 @@
 //! One iteration of pressure: how far the next density would miss, and what mends it. Only where pressure is corrected.
 use super::load;
 use super::pairs::{Block, Job, PairPass, fold};
-use crate::arithmetic::real::{Real, real, select, vec3};
+use crate::arithmetic::real::{Real, less, real, select, vec3};
 use crate::layout::f32x4;
 use crate::terms::correction::{density_miss, predicted_velocity, pressure_corrected, residual};
 use crate::terms::density::continuity_neighbour;
@@ -41,7 +41,7 @@ impl PairPass for PressureCorrect<'_> {
         let (deviation, before) = (of(0), of(1));
         let mut after = pressure_corrected(m, p, before, density_miss(m, p, before, deviation, rate));
         if m.wall_particles == MIRRORED {
-            after = select(after, real(0.0), crate::arithmetic::real::less(real(0.0), a.wall));
+            after = select(after, real(0.0), less(real(0.0), a.wall));
         }
         let left = residual(p, before, after);
         let mut largest = 0;

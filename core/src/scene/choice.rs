@@ -1,6 +1,6 @@
 //! Every choice between formulas or structures that a scene can make. The numbers of those that a term compares are the
 //! term's own, and so are their names.
-use crate::terms::{density, kernel, near, pressure, state, viscosity, wall};
+use crate::terms::{correction, density, kernel, near, pressure, state, table, viscosity, wall};
 
 /// A choice between terms: its variants with the term's number and the names of what it computes.
 macro_rules! choice {
@@ -140,27 +140,29 @@ choice! {
 /// How kernels are evaluated (S0 section 4.2.3).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[repr(u32)]
 pub enum Evaluation {
     /// By their formulas.
     #[default]
-    Direct,
+    Direct = table::DIRECT,
     /// From tables over the distance, between entries along straight lines.
-    Table,
+    Table = table::TABLE,
     /// From tables over the squared distance, which spares the root.
-    SquaredTable,
+    SquaredTable = table::SQUARED_TABLE,
 }
 
 /// How a pressure correction is iterated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[repr(u32)]
 pub enum Iteration {
     /// Towards the density that the speed of sound allows, with a relaxation taken from the lattice; the pressure is kept
     /// from step to step.
     #[default]
-    Relaxed,
+    Relaxed = correction::RELAXED,
     /// As printed (S0 eqs. 3.3 and 3.4 per errata): from no pressure, by the full stiffness. Refused where it cannot
     /// converge.
-    Literal,
+    Literal = correction::LITERAL,
 }
 
 /// Dimension of space.
