@@ -6,9 +6,9 @@ use millpond::memory::Heap;
 use millpond::pool::Pool;
 use millpond_core::layout::f32x4;
 use millpond_core::scene::{
-    Block, Container, Correction, DensityForm, Dimension, EquationOfState, Evaluation, FieldLattice, Fluid, Grid,
-    GridStructure, Iteration, Kernel, ModelChoice, NearPressure, Periodic, PressureForce, Reflection, Scene,
-    SupportRange, Viscosity, Wall, WallPressure, WallShape, Wind,
+    Block, Container, Correction, DensityForm, Dimension, Elasticity, EquationOfState, Evaluation, FieldLattice, Fluid,
+    Grid, GridStructure, Iteration, Kernel, ModelChoice, NearPressure, Periodic, Plasticity, PressureForce, Reflection,
+    Scene, SupportRange, SurfaceTension, Viscosity, Wall, WallPressure, WallShape, Wind,
 };
 use millpond_core::{Plan, Simd, Solver};
 use millpond_gpu::program::{Words, program};
@@ -67,11 +67,18 @@ fn choices(base: &Scene) -> Vec<(String, Scene)> {
         });
     }
     for &force in PressureForce::ALL {
-        add(format!("pressure_force {force:?}"), &|s| {
-            s.model.pressure_force = force;
-            s.model.density =
-                if force == PressureForce::NumberDensity { DensityForm::NumberDensity } else { DensityForm::Summation };
-        });
+        for &density in DensityForm::ALL {
+            if force == PressureForce::NumberDensity && density != DensityForm::NumberDensity {
+                continue;
+            }
+            add(format!("{density:?} with {force:?}, one fluid"), &|s| {
+                (s.model.density, s.model.pressure_force) = (density, force);
+            });
+            add(format!("{density:?} with {force:?}, two fluids"), &|s| {
+                (s.model.density, s.model.pressure_force) = (density, force);
+                second_fluid(s);
+            });
+        }
         add(format!("pressure_force {force:?}, masses that differ"), &|s| {
             s.model.pressure_force = force;
             s.model.hydrostatic_start = force != PressureForce::NumberDensity;
@@ -105,18 +112,101 @@ fn choices(base: &Scene) -> Vec<(String, Scene)> {
     for &viscosity in Viscosity::ALL {
         add(format!("viscosity {viscosity:?}"), &|s| {
             s.model.viscosity = viscosity;
+            s.model.density = DensityForm::SummationAdapted;
             s.fluid.velocity_exchange = 0.1;
         });
         for &wall in WallPressure::ALL {
             add(format!("viscosity {viscosity:?}, walls {wall:?}"), &|s| {
                 (s.model.viscosity, s.model.wall_pressure) = (viscosity, wall);
+                s.model.density = DensityForm::NumberDensity;
                 s.fluid.velocity_exchange = 0.1;
                 walls(s);
+            });
+            add(format!("viscosity {viscosity:?}, walls {wall:?}, two fluids"), &|s| {
+                s.model = ModelChoice { viscosity, wall_pressure: wall, ..ModelChoice::multiphase() };
+                s.fluid.velocity_exchange = 0.1;
+                walls(s);
+                second_fluid(s);
             });
         }
         add(format!("heat of {viscosity:?}"), &|s| {
             (s.model.viscosity, s.model.thermal_energy) = (viscosity, true);
+            s.model.density = DensityForm::SummationAdapted;
             (s.fluid.velocity_exchange, s.fluid.heat_gain, s.fluid.thermal_energy) = (0.9, 0.7, 1.0);
+        });
+    }
+    for &tension in SurfaceTension::ALL {
+        for &density in DensityForm::ALL {
+            add(format!("surface_tension {tension:?} with {density:?}"), &|s| {
+                (s.model.surface_tension, s.model.density) = (tension, density);
+                pulled(s);
+            });
+        }
+        add(format!("surface_tension {tension:?}, two fluids"), &|s| {
+            s.model = ModelChoice { surface_tension: tension, ..ModelChoice::multiphase() };
+            second_fluid(s);
+            pulled(s);
+        });
+        add(format!("surface_tension {tension:?}, corrected pressure and supports that vary"), &|s| {
+            s.model.surface_tension = tension;
+            s.model.equation_of_state = EquationOfState::PressureCorrection;
+            s.model.pressure_force = PressureForce::MonaghanAdapted;
+            s.model.variable_support = Some(SupportRange { smallest: 0.7, largest: 1.3 });
+            walls(s);
+            pulled(s);
+        });
+    }
+    add("normals alone".into(), &|s| s.model.surface_normals = true);
+    for &near in NearPressure::ALL {
+        for density in [DensityForm::Summation, DensityForm::SummationAdapted] {
+            add(format!("near_pressure {near:?}, {density:?} of two fluids"), &|s| {
+                (s.model.near_pressure, s.model.density) = (near, density);
+                second_fluid(s);
+            });
+        }
+    }
+    for &state in EquationOfState::ALL {
+        add(format!("equation_of_state {state:?} for two fluids"), &|s| {
+            (s.model.equation_of_state, s.model.pressure_force) = (state, PressureForce::MonaghanAdapted);
+            second_fluid(s);
+        });
+        if state != EquationOfState::PressureCorrection {
+            add(format!("equation_of_state {state:?} for the second fluid alone"), &|s| {
+                s.model.viscosity = Viscosity::Artificial;
+                second_fluid(s);
+                s.other_fluids[0].equation_of_state = Some(state);
+            });
+        }
+    }
+    add("two fluids with everything that mixes them".into(), &|s| {
+        second_fluid(s);
+        s.model.thermal_energy = true;
+        s.model.evaluation = Evaluation::Table;
+        (s.fluid.xsph, s.fluid.radial_exchange, s.ambient_density) = (0.4, 0.3, 20.0);
+        s.blocks[1].dynamic_viscosity = Some(0.1);
+    });
+    add("a fluid of smaller support".into(), &|s| {
+        second_fluid(s);
+        s.other_fluids[0].average_neighbours = Some(12.0);
+    });
+    let plasticity = Some(Plasticity { rate: 20.0, yield_strain: 0.01 });
+    for (name, plasticity, break_at) in
+        [("springs", None, None), ("plastic springs", plasticity, None), ("brittle springs", plasticity, Some(0.02))]
+    {
+        add(name.into(), &|s| {
+            s.fluid.elastic_stiffness = 2000.0;
+            s.elasticity = Elasticity { reach: 1.8, plasticity, break_at, ..Elasticity::default() };
+        });
+        add(format!("{name} of one of two fluids, across a periodic side"), &|s| {
+            second_fluid(s);
+            walls(s);
+            s.model.equation_of_state = EquationOfState::PressureCorrection;
+            s.model.pressure_force = PressureForce::Monaghan;
+            s.other_fluids[0].elastic_stiffness = 500.0;
+            s.elasticity = Elasticity { reach: 1.8, plasticity, break_at, ..Elasticity::default() };
+            s.container = None;
+            s.periodic = Some(Periodic { low: [0.0; 3], high: [0.8, 0.6, 0.6], axes: [true, false, false] });
+            s.blocks[1].corner[0] = 0.6;
         });
     }
     add("two viscosities".into(), &|s| s.blocks[1].dynamic_viscosity = Some(20.0));
@@ -162,8 +252,30 @@ fn choices(base: &Scene) -> Vec<(String, Scene)> {
         s.wind = Some(Wind { velocity: [1.0, 0.0, 0.0], drag: 1.0 });
         s.field = Some(FieldLattice { low: [0.0; 3], spacing: 0.3, counts: [3, 3, 3] });
         s.blocks[0].dynamic_viscosity = Some(0.5);
+        second_fluid(s);
+        s.model.surface_tension = SurfaceTension::NormalCurvature;
+        pulled(s);
+        s.fluid.elastic_stiffness = 100.0;
+        s.elasticity.break_at = Some(0.1);
     });
     all
+}
+
+/// Makes the second block one of another fluid, lighter and stiffer.
+fn second_fluid(s: &mut Scene) {
+    let light = Fluid { rest_density: 700.0, speed_of_sound: 12.0, dynamic_viscosity: 5.0, ..Fluid::default() };
+    let _ = s.other_fluids.push(light);
+    s.blocks[1].fluid = 1;
+}
+
+/// Gives every fluid some tension, where the scene has a model of it.
+fn pulled(s: &mut Scene) {
+    let tension = match s.model.surface_tension {
+        SurfaceTension::Off => 0.0,
+        SurfaceTension::Curvature | SurfaceTension::NormalCurvature => 5.0,
+        SurfaceTension::Attraction | SurfaceTension::GradientSum => 2.0,
+    };
+    std::iter::once(&mut s.fluid).chain(&mut s.other_fluids).for_each(|fluid| fluid.surface_tension = tension);
 }
 
 /// A box open above, whose floor slides.
@@ -172,7 +284,7 @@ fn walls(s: &mut Scene) {
     let (low, high) = ([0.0; 3], [0.8, 0.6, 0.4]);
     let shape = WallShape::Box { low, high, open: [Face::Ceiling].into_iter().collect() };
     let velocity = [0.5, 0.0, 0.0];
-    s.walls = [Wall { shape, velocity, dynamic_viscosity: Some(1.0) }].into_iter().collect();
+    s.walls = [Wall { velocity, dynamic_viscosity: Some(1.0), ..Wall::still(shape) }].into_iter().collect();
 }
 
 /// Some field, of a shape that no symmetry hides.
@@ -235,7 +347,7 @@ fn check(dimension: Dimension) {
         seen.insert(want.hash());
     }
     // a choice that changed nothing would be tested by nothing
-    assert!(seen.len() > 70, "only {} of the choices differ", seen.len());
+    assert!(seen.len() > 150, "only {} of the choices differ", seen.len());
 }
 
 #[test]

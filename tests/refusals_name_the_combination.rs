@@ -61,7 +61,7 @@ fn by_name() {
     refused("pressure_force Difference", "Mirrored", |s| {
         s.model.pressure_force = PressureForce::Difference;
         let shape = WallShape::Plane { face: Face::Floor, low: [0.0; 3], high: [1.0, 0.0, 1.0] };
-        s.walls = [Wall { shape, velocity: [0.0; 3], dynamic_viscosity: None }].into_iter().collect();
+        s.walls = [Wall::still(shape)].into_iter().collect();
     });
     refused("hydrostatic_start", "ambient", |s| {
         (s.model.hydrostatic_start, s.ambient_density) = (true, 1000.0);
@@ -117,11 +117,7 @@ fn bounds() {
     });
     let by = 0.5f32 - 0.4;
     assert_eq!(result, Err(SceneError::LapsItself { what: "blocks", index: 0, axis: 1, by }));
-    let plane = |face, high: [f32; 3]| Wall {
-        shape: WallShape::Plane { face, low: [0.0; 3], high },
-        velocity: [0.0; 3],
-        dynamic_viscosity: None,
-    };
+    let plane = |face, high: [f32; 3]| Wall::still(WallShape::Plane { face, low: [0.0; 3], high });
     let result = scene(|s| s.walls = [plane(Face::Floor, [1.0, 0.5, 1.0])].into_iter().collect());
     assert_eq!(result, Err(SceneError::WallExtent { wall: 0, axis: 1, size: 0.5 }));
     let result = scene(|s| s.walls = [plane(Face::Floor, [1e30, 0.0, 1.0])].into_iter().collect());

@@ -118,6 +118,15 @@ pub enum SceneError {
         /// Nodes along it.
         nodes: u32,
     },
+    /// A number that no fluid of the scene has.
+    NoSuchFluid {
+        /// Which field names it.
+        field: &'static str,
+        /// That number.
+        fluid: u32,
+        /// Fluids of the scene, which are counted from 0.
+        fluids: u32,
+    },
     /// Two choices that do not go together.
     NotTogether {
         /// A field and what it is.
@@ -283,6 +292,9 @@ impl fmt::Display for SceneError {
             }
             SceneError::TooFewNodes { axis, nodes } => {
                 write!(f, "field.counts has {nodes} along {}, and must have at least 2", AXES[axis])
+            }
+            SceneError::NoSuchFluid { field, fluid, fluids } => {
+                write!(f, "{field} is {fluid}, and the scene's {fluids} fluids are counted from 0")
             }
             SceneError::NotTogether { choice, other, why } => write!(f, "{choice} does not go with {other}: {why}"),
             SceneError::CannotConverge { spacings, most } => {

@@ -1,34 +1,30 @@
 //! Guided creation (S0 section 4.1): from what a user says, everything that follows from it, in f64 and rounded once.
-use crate::kernel::near_slope_constant;
-use crate::lattice_sums::{gradient_squares, kernel_sum};
-use crate::layout::{PLANES, Parameters, Planes, SPECIES, f32x4};
-use crate::scene::{
-    BLOCKS, Dimension, EquationOfState, Face, Iteration, NearPressure, PressureForce, Scene, SupportRange, Viscosity,
-};
+use crate::kernel::{laplacian, near_slope_constant};
+use crate::kinds::{corrections, species, state_stiffness, states};
+use crate::lattice_sums::kernel_sum;
+use crate::layout::{PLANES, Parameters, Planes, f32x4};
+use crate::scene::{Dimension, EquationOfState, Face, NearPressure, PressureForce, Scene, SupportRange, Viscosity};
 use core::f64::consts::PI;
 
 /// A cell is a little larger than the support, so that rounding never parts two neighbours by two cells.
 const CELL_MARGIN: f64 = 1.0 + 1.0 / 1024.0;
 
-/// Near stiffness over c0^2 where a scene does not name it. Our choice: see the errata of S0 section 3.1.
-const DEFAULT_NEAR_SHARE: f64 = 0.1;
-
 /// What keeps close pairs from dividing by nothing, over H^2. The sources' 0.01 h^2 has the h whose double is the support:
 /// with 0.01 H^2 the Laplacian of Morris et al. is 3 to 5 % too small on a lattice, with this at most 2 %.
 const SOFTENING: f64 = 0.01 / 4.0;
 
-/// Share of the change that would mend a lone particle's density which an iteration of pressure makes: Jacobi's method,
-/// with the half that keeps it from overshooting where all particles change at once.
-const RELAXATION: f64 = 0.5;
-
 /// Share of a deviation of density that a step of corrected pressure is to mend (our choice).
-const CORRECTION_SOURCE: f32 = 0.1;
+pub(crate) const CORRECTION_SOURCE: f32 = 0.1;
+
+/// Where a smooth kernel's Laplacian is taken for that at no distance, over H; it is even there, so this is right to 1e-6.
+const AT_SELF: f64 = 1e-4;
 
 /// Radius that holds `average_neighbours` particles at the initial spacing: `n = N/V 4/3 pi H^3`, in 2D `N/A pi H^2`
-/// (S0 section 4.1.5 per errata), m.
+/// (S0 section 4.1.5 per errata), m. Of several fluids the smallest one (S0 section 3.3).
 #[must_use]
 pub fn support_radius(scene: &Scene) -> f64 {
-    let (n, spacing) = (f64::from(scene.average_neighbours), f64::from(scene.particle_spacing));
+    let neighbours = scene.fluids().map(|fluid| fluid.average_neighbours.unwrap_or(scene.average_neighbours));
+    let (n, spacing) = (f64::from(neighbours.fold(f32::INFINITY, f32::min)), f64::from(scene.particle_spacing));
     match scene.dimension {
         Dimension::Two => spacing * libm::sqrt(n / PI),
         Dimension::Three => spacing * libm::cbrt(n * 3.0 / (4.0 * PI)),
@@ -48,7 +44,7 @@ pub(crate) fn periodic_cells(scene: &Scene, length: f64) -> u32 {
     cells.min(f64::from(u32::MAX)) as u32
 }
 
-/// Mass of a particle, kg: of the volume that it stands for at the start, `rho0 spacing^d`; calibrated, what makes the
+/// Mass of a particle of the first fluid, kg, those of the others being as their rest densities: of the volume that it stands for at the start, `rho0 spacing^d`; calibrated, what makes the
 /// density sum over the lattice the rest density.
 #[must_use]
 pub fn particle_mass(scene: &Scene) -> f64 {
@@ -62,59 +58,37 @@ pub(crate) fn power(x: f64, n: usize) -> f64 {
     core::iter::repeat_n(x, n).product()
 }
 
-/// Near pressure over density, m2/s2; 0 where near pressure is off.
-#[must_use]
-pub fn near_stiffness(scene: &Scene) -> f64 {
-    if scene.model.near_pressure == NearPressure::Off {
-        return 0.0;
-    }
-    let c0 = f64::from(scene.fluid.speed_of_sound);
-    scene.fluid.near_stiffness.map_or(DEFAULT_NEAR_SHARE * c0 * c0, f64::from)
-}
-
-/// Constant of the equation of state, Pa.
-fn state_stiffness(scene: &Scene) -> f64 {
-    let c0 = f64::from(scene.fluid.speed_of_sound);
-    let bulk = f64::from(scene.fluid.rest_density) * c0 * c0;
-    match scene.model.equation_of_state {
-        EquationOfState::Tait => scene.fluid.stiffness.map_or(bulk / 7.0, f64::from),
-        _ => bulk,
-    }
-}
-
-/// What an iteration of pressure adds for a density that is off by all of itself, Pa.
-///
-/// A pressure at `a` accelerates its neighbours by `m P / rho^2 grad W`, which within a step thins the density at `a` by
-/// `dt^2 V^2 / rho0 sum |grad W|^2` of itself for each pascal.
-#[must_use]
-pub fn correction_stiffness(scene: &Scene) -> f64 {
-    let bulk = state_stiffness(scene);
-    if scene.model.correction.iteration == Iteration::Literal {
-        return bulk;
-    }
-    let dt = f64::from(scene.time_step);
-    let thinning = dt * dt / f64::from(scene.fluid.rest_density) * gradient_squares(scene);
-    RELAXATION / (thinning + f64::from(CORRECTION_SOURCE) / bulk)
-}
-
 /// Density, less the rest density, over it, and pressure in Pa, that hold the weight of the fluid above (S3 section 3.1 per
-/// errata): `rho = rho0 (1 + rho0 g depth / B)^(1/7)` with Tait's equation.
+/// errata): `rho = rho0 (1 + rho0 g depth / B)^(1/7)` with Tait's equation. Fluids lie in layers, each from the highest to the
+/// lowest point of its blocks.
 #[must_use]
-pub fn hydrostatic_deviation(scene: &Scene, position: [f32; 3]) -> (f64, f32) {
+pub fn hydrostatic_deviation(scene: &Scene, fluid: u32, position: [f32; 3]) -> (f64, f32) {
     let g = scene.gravity.map(f64::from);
-    let along = |x: [f32; 3]| -> f64 { g.iter().zip(x).map(|(g, x)| g * f64::from(x)).sum() };
-    let top = |b: &crate::scene::Block| {
-        let highest = [0, 1, 2].map(|i| if g[i] < 0.0 { b.corner[i] + b.size[i] } else { b.corner[i] });
-        along(highest)
-    };
-    let surface = scene.blocks.iter().map(top).fold(f64::INFINITY, f64::min);
     // g . x grows downwards
-    // what surrounds the fluid carries its share, and Mueller's form answers a weight with twice its pressure
-    let weighed = f64::from(scene.fluid.rest_density) - f64::from(scene.ambient_density);
-    let answer = if scene.model.pressure_force == PressureForce::Mueller { 2.0 } else { 1.0 };
-    let pressure = answer * weighed * (along(position) - surface).max(0.0);
-    let stiffness = state_stiffness(scene);
-    let deviation = match scene.model.equation_of_state {
+    let along = |x: [f64; 3]| -> f64 { g.iter().zip(x).map(|(g, x)| g * x).sum() };
+    let corner = |b: &crate::scene::Block, highest: bool| {
+        let far = |i: usize| (g[i] < 0.0) == highest;
+        along([0, 1, 2].map(|i| f64::from(if far(i) { b.corner[i] + b.size[i] } else { b.corner[i] })))
+    };
+    let place = along(position.map(f64::from));
+    let mut pressure = 0.0;
+    for (number, above) in (0..).zip(scene.fluids()) {
+        let blocks = || scene.blocks.iter().filter(|block| block.fluid == number);
+        let top = blocks().map(|b| corner(b, true)).fold(f64::INFINITY, f64::min);
+        let bottom = blocks().map(|b| corner(b, false)).fold(f64::NEG_INFINITY, f64::max);
+        // a fluid is as deep as it is asked for
+        let depth = if number == fluid { place } else { place.min(bottom) } - top;
+        // what surrounds the fluid carries its share
+        let weighed = f64::from(above.rest_density) - f64::from(scene.ambient_density);
+        pressure += weighed * depth.max(0.0);
+    }
+    // Mueller's form answers a weight with twice its pressure
+    if matches!(scene.model.pressure_force, PressureForce::Mueller | PressureForce::MuellerAdapted) {
+        pressure *= 2.0;
+    }
+    let own = scene.fluid_of(fluid);
+    let stiffness = state_stiffness(scene, own);
+    let deviation = match own.equation_of_state.unwrap_or(scene.model.equation_of_state) {
         EquationOfState::Tait => libm::pow(1.0 + pressure / stiffness, 1.0 / 7.0) - 1.0,
         _ => pressure / stiffness,
     };
@@ -131,7 +105,6 @@ pub fn parameters(scene: &Scene) -> Parameters {
     let mass = particle_mass(scene);
     let rest_density = f64::from(fluid.rest_density);
     let rest_volume = mass / rest_density;
-    let bulk = rest_density * f64::from(fluid.speed_of_sound) * f64::from(fluid.speed_of_sound);
     let near_constant = match model.near_pressure {
         NearPressure::Article => near_slope_constant(d) / 3.0,
         _ => near_slope_constant(d),
@@ -140,8 +113,8 @@ pub fn parameters(scene: &Scene) -> Parameters {
     let viscosity_constant = model.viscosity_kernel.normalisation(d) * over(d + 1);
     let density_constant = model.density_kernel.normalisation(d) * over(d);
     let range = model.variable_support.unwrap_or(SupportRange { smallest: 1.0, largest: 1.0 });
-    let correction = correction_stiffness(scene);
-    let near = near_stiffness(scene);
+    let elasticity = &scene.elasticity;
+    let plasticity = elasticity.plasticity;
     let exchanged = model.viscosity == Viscosity::Exchange;
     let [gx, gy, gz] = scene.gravity;
     let container = scene.container.as_ref();
@@ -162,6 +135,8 @@ pub fn parameters(scene: &Scene) -> Parameters {
         field_counts: scene.field_counts(),
         planes,
         species: species(scene),
+        states: states(scene),
+        corrections: corrections(scene),
         particle_count: scene.particle_count() as u32,
         plane_count,
         inverse_support: (1.0 / support) as f32,
@@ -176,19 +151,21 @@ pub fn parameters(scene: &Scene) -> Parameters {
         particle_mass: mass as f32,
         rest_volume: rest_volume as f32,
         rest_density: fluid.rest_density,
-        speed_of_sound: fluid.speed_of_sound,
         density_constant: (rest_volume * density_constant) as f32,
         continuity_constant: (rest_volume * pressure_constant / support) as f32,
         pressure_constant: pressure_constant as f32,
         near_constant: (near_constant * over(d + 1)) as f32,
-        near_pressure_at_rest: (near * rest_density) as f32,
-        near_density_constant: (near * mass * near_slope_constant(d) / 3.0 * over(d)) as f32,
         viscosity_slope_constant: viscosity_constant as f32,
         viscosity_laplacian_constant: (viscosity_constant / support) as f32,
-        state_stiffness: state_stiffness(scene) as f32,
-        correction_stiffness: correction as f32,
-        inverse_correction_stiffness: (1.0 / correction) as f32,
-        compressibility: (1.0 / bulk) as f32,
+        colour_constant: density_constant as f32,
+        colour_slope_constant: (density_constant / support) as f32,
+        colour_laplacian_constant: (density_constant / (support * support)) as f32,
+        colour_curvature_at_self: laplacian(model.density_kernel, d, AT_SELF) as f32,
+        surface_threshold: (f64::from(model.surface_threshold) / support) as f32,
+        surface_directions: d as f32 - 1.0,
+        yield_strain: plasticity.map_or(0.0, |plasticity| plasticity.yield_strain),
+        plastic_share: plasticity.map_or(0.0, |plasticity| plasticity.rate * scene.time_step),
+        breaking_stretch: elasticity.break_at.map_or(f32::MAX, |stretch| 1.0 + stretch),
         correction_source: CORRECTION_SOURCE,
         tolerance: model.correction.tolerance,
         alpha: fluid.alpha,
@@ -202,6 +179,8 @@ pub fn parameters(scene: &Scene) -> Parameters {
         bounce: container.map_or(0.0, |c| c.bounce),
         slip: container.map_or(0.0, |c| c.slip),
         pad0: 0,
+        pad1: 0,
+        pad2: 0,
     }
 }
 
@@ -237,19 +216,6 @@ fn axes(scene: &Scene) -> Axes {
         }
     }
     axes
-}
-
-/// The fluid, blocks of another viscosity, walls: viscosity, and 1 for a wall.
-fn species(scene: &Scene) -> [f32x4; SPECIES] {
-    let own = scene.fluid.dynamic_viscosity;
-    let mut kinds = [[own, 0.0, 0.0, 0.0]; SPECIES];
-    for (i, block) in scene.blocks.iter().enumerate() {
-        kinds[1 + i][0] = block.dynamic_viscosity.unwrap_or(own);
-    }
-    for (kind, wall) in kinds[1 + BLOCKS..].iter_mut().zip(&scene.walls) {
-        *kind = [wall.dynamic_viscosity.unwrap_or(own), 1.0, 0.0, 0.0];
-    }
-    kinds
 }
 
 /// The walls of the container: inward normals and offsets, and how many there are.

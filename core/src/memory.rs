@@ -1,7 +1,7 @@
 //! The memory of a simulation as slices of any origin, and how much of it a scene needs. What a scene does not use has no
 //! entries.
 use crate::error::SceneError;
-use crate::layout::{TABLE_WORDS, Tables, f32x4};
+use crate::layout::{TABLE_WORDS, Tables, f32x4, u32x2, u32x4};
 
 /// Entries of the neighbour lists for each particle. A block whose list is full walks its stencil again; 25 was the
 /// largest mean seen in moving fluid of 27 to 32 neighbours.
@@ -14,7 +14,7 @@ pub struct State<'m> {
     pub position: &'m mut [f32x4],
     /// Velocity, m/s; w: which of the scene's kinds of particle.
     pub velocity: &'m mut [f32x4],
-    /// Acceleration at that position, m/s2; w unused.
+    /// Acceleration at that position, m/s2; w: with a tension by curvature the curvature of the surface, 1/m.
     pub acceleration: &'m mut [f32x4],
     /// [`QUANTITIES`](crate::layout::QUANTITIES) of each particle.
     pub density_pressure: &'m mut [f32x4],
@@ -22,6 +22,9 @@ pub struct State<'m> {
     pub smoothing: &'m mut [f32x4],
     /// Thermal energy, J/kg, and its rate, W/kg; z and w unused. Only where heat is kept account of.
     pub heat: &'m mut [f32x4],
+    /// Inward normal of the surface of a particle's fluid, 1/m; w: the surface's curvature by the Laplacian of the colour, 1/m,
+    /// where tension takes that. Only where normals are found.
+    pub normal: &'m mut [f32x4],
     /// Which particle stands in a slot.
     pub id: &'m mut [u32],
 }
@@ -50,6 +53,18 @@ pub struct Scratch<'m> {
     pub previous: &'m mut [f32x4],
     /// Acceleration but for pressure, m/s2; w unused. Only where pressure is iterated.
     pub free: &'m mut [f32x4],
+    /// Slot of each particle in the step that is tried, by id. Only with springs.
+    pub slot_of: &'m mut [u32],
+}
+
+/// Springs between particles, by what each particle has of them. Only with elastic fluids.
+#[derive(Debug)]
+pub struct Springs<'m> {
+    /// By id: first of its ends, how many, and as the bits of an f32 `k / (2 m)` in 1/s2; w unused.
+    pub of: &'m mut [u32x4],
+    /// Ends of each particle side by side: who is at the other end, and as the bits of an f32 the length at rest in m, negative
+    /// once the spring is broken. Two, which trade places at each step, where lengths at rest change; else the second is empty.
+    pub ends: [&'m mut [u32x2]; 2],
 }
 
 /// All the memory of a simulation. It may be larger than a scene needs.
@@ -61,6 +76,8 @@ pub struct Memory<'m> {
     pub slot: &'m mut [u32],
     /// What a step works in and forgets.
     pub scratch: Scratch<'m>,
+    /// Springs of elastic fluids.
+    pub springs: Springs<'m>,
     /// Kernels as tables, where a scene reads them from there.
     pub tables: &'m mut Tables,
     /// Nodes of the host's field, m/s2, x fastest; w unused. Only where a scene has one.
@@ -84,6 +101,14 @@ pub struct Needs {
     pub previous: bool,
     /// Accelerations but for pressure.
     pub free: bool,
+    /// Normals of surfaces.
+    pub normals: bool,
+    /// Springs.
+    pub springs: bool,
+    /// Ends of springs, two a spring.
+    pub spring_ends: usize,
+    /// Do their lengths at rest change?
+    pub plastic: bool,
     /// Kernels as tables.
     pub tables: bool,
     /// Nodes of the host's field.
@@ -96,9 +121,14 @@ impl Needs {
         if needed { self.particles } else { 0 }
     }
 
+    /// Ends of springs in the state that a step makes.
+    fn other_ends(&self) -> usize {
+        if self.plastic { self.spring_ends } else { 0 }
+    }
+
     /// The arrays, with their bytes.
     #[must_use]
-    pub fn arrays(&self) -> [(&'static str, usize); 18] {
+    pub fn arrays(&self) -> [(&'static str, usize); 22] {
         let Needs { particles, cells, places, .. } = *self;
         let vector = size_of::<f32x4>();
         let (vectors, words) = (2 * particles * vector, particles * size_of::<u32>());
@@ -120,6 +150,10 @@ impl Needs {
             ("grid_cells", places * size_of::<u32>()),
             ("previous", self.if_needed(self.previous) * vector),
             ("free", self.if_needed(self.free) * vector),
+            ("normal", 2 * self.if_needed(self.normals) * vector),
+            ("springs", self.if_needed(self.springs) * size_of::<u32x4>()),
+            ("spring ends", (self.spring_ends + self.other_ends()) * size_of::<u32x2>()),
+            ("slot_of", self.if_needed(self.springs) * size_of::<u32>()),
             ("tables", if self.tables { TABLE_WORDS * size_of::<f32>() } else { 0 }),
             ("field", self.nodes * vector),
         ]
@@ -142,6 +176,7 @@ impl<'m> Memory<'m> {
         let entries = s.list.len().min(u32::MAX as usize);
         let list = &mut s.list[..entries];
         let tables = if needs.tables { TABLE_WORDS } else { 0 };
+        let [ends, other_ends] = self.springs.ends;
         Ok(Memory {
             states: [a.cut(needs)?, b.cut(needs)?],
             slot: cut("particles", self.slot, particles)?,
@@ -156,6 +191,14 @@ impl<'m> Memory<'m> {
                 grid_cells: cut("places of cells", s.grid_cells, places)?,
                 previous: cut("extras for previous densities", s.previous, needs.if_needed(needs.previous))?,
                 free: cut("extras for free accelerations", s.free, needs.if_needed(needs.free))?,
+                slot_of: cut("particles with springs", s.slot_of, needs.if_needed(needs.springs))?,
+            },
+            springs: Springs {
+                of: cut("particles with springs", self.springs.of, needs.if_needed(needs.springs))?,
+                ends: [
+                    cut("ends of springs", ends, needs.spring_ends)?,
+                    cut("ends of springs that change", other_ends, needs.other_ends())?,
+                ],
             },
             tables: cut("words of kernel tables", self.tables, tables)?,
             field: cut("nodes of the field", self.field, needs.nodes)?,
@@ -173,6 +216,7 @@ impl<'m> State<'m> {
             density_pressure: cut("particles", self.density_pressure, particles)?,
             smoothing: cut("extras for XSPH", self.smoothing, needs.if_needed(needs.smoothing))?,
             heat: cut("extras for thermal energy", self.heat, needs.if_needed(needs.heat))?,
+            normal: cut("normals", self.normal, needs.if_needed(needs.normals))?,
             id: cut("particles", self.id, particles)?,
         })
     }

@@ -5,11 +5,11 @@
 use crate::layout::Model;
 use crate::memory::Needs;
 use crate::scene::{
-    DensityForm, Dimension, EquationOfState, Evaluation, GridStructure, ModelChoice, NearPressure, Reflection, Scene,
-    Viscosity,
+    DensityForm, Dimension, EquationOfState, Evaluation, Fluid, GridStructure, ModelChoice, NearPressure,
+    PressureForce, Reflection, Scene, SurfaceTension, Viscosity,
 };
 use crate::step::Pass;
-use crate::terms::{near, viscosity, wall};
+use crate::terms::{near, tension, viscosity, wall};
 use heapless::Vec;
 
 /// What a step of a scene consists of.
@@ -45,9 +45,12 @@ impl Plan {
         let drags = match choice.viscosity {
             Viscosity::Artificial => fluid.alpha != 0.0 || fluid.beta != 0.0,
             Viscosity::Exchange => false,
-            _ => fluid.dynamic_viscosity != 0.0 || viscous,
+            _ => viscous || scene.fluids().any(|fluid| fluid.dynamic_viscosity != 0.0),
         };
-        let near = choice.near_pressure != NearPressure::Off && fluid.near_stiffness != Some(0.0);
+        let near =
+            choice.near_pressure != NearPressure::Off && scene.fluids().any(|fluid| fluid.near_stiffness != Some(0.0));
+        let pulls = scene.fluids().any(|fluid| fluid.surface_tension != 0.0);
+        let several = !scene.other_fluids.is_empty();
         let blocks_differ = scene.blocks.iter().any(|b| b.dynamic_viscosity.is_some());
         Plan {
             model: Model {
@@ -61,7 +64,12 @@ impl Plan {
                 wall_particles: if scene.walls.is_empty() { wall::NO_WALLS } else { everything.model.wall_particles },
                 variable_support: u32::from(choice.variable_support.is_some()),
                 masses: u32::from(choice.hydrostatic_start),
-                species: u32::from(blocks_differ || !scene.walls.is_empty()),
+                species: u32::from(blocks_differ || several || !scene.walls.is_empty()),
+                fluids: u32::from(several),
+                tension: if pulls { everything.model.tension } else { tension::NO_TENSION },
+                normals: u32::from(choice.surface_normals || pulls && everything.model.has_curvature()),
+                springs: u32::from(scene.fluids().any(is_elastic)),
+                plastic: u32::from(scene.fluids().any(is_elastic) && everything.model.plastic == 1),
                 thermal_energy: u32::from(choice.thermal_energy),
                 xsph: u32::from(fluid.xsph != 0.0),
                 ..everything.model
@@ -75,6 +83,11 @@ impl Plan {
     pub fn everything(scene: &Scene) -> Plan {
         let choice = scene.model;
         let near = if choice.near_pressure == NearPressure::Off { NearPressure::Thesis } else { choice.near_pressure };
+        let tensionless = choice.surface_tension == SurfaceTension::Off;
+        let own_equation = |fluid: &Fluid| fluid.equation_of_state.unwrap_or(choice.equation_of_state);
+        let adapted_force =
+            matches!(choice.pressure_force, PressureForce::MuellerAdapted | PressureForce::MonaghanAdapted);
+        let adapted_density = !matches!(choice.density, DensityForm::Summation | DensityForm::Continuity);
         Plan {
             choice,
             model: Model {
@@ -83,7 +96,7 @@ impl Plan {
                 viscosity_kernel: choice.viscosity_kernel as u32,
                 evaluation: choice.evaluation as u32,
                 density: choice.density as u32,
-                equation_of_state: choice.equation_of_state as u32,
+                equation_of_state: own_equation(&scene.fluid) as u32,
                 iteration: choice.correction.iteration as u32,
                 suction: u32::from(choice.suction),
                 pressure_force: choice.pressure_force as u32,
@@ -102,6 +115,15 @@ impl Plan {
                 variable_support: u32::from(choice.evaluation == Evaluation::Direct),
                 masses: 1,
                 species: 1,
+                fluids: 1,
+                states: u32::from(
+                    scene.other_fluids.iter().any(|fluid| own_equation(fluid) != own_equation(&scene.fluid)),
+                ),
+                numbers: u32::from(adapted_force && !adapted_density),
+                tension: if tensionless { tension::ATTRACTION } else { choice.surface_tension as u32 },
+                normals: 1,
+                springs: 1,
+                plastic: u32::from(scene.elasticity.plasticity.is_some() || scene.elasticity.break_at.is_some()),
                 thermal_energy: 1,
                 xsph: 1,
                 layers: u32::from(scene.dimension == Dimension::Three),
@@ -121,6 +143,9 @@ impl Plan {
             Pass::CellLists => m.cell_places > 0,
             Pass::Place => m.cell_places == 0,
             Pass::Support => m.variable_support == 1,
+            Pass::Normals => m.normals == 1,
+            Pass::Tension => m.has_curvature(),
+            Pass::Springs => m.springs == 1,
             Pass::PressureForce | Pass::PressureCorrect | Pass::PressureSettle => m.corrects_pressure(),
             Pass::Heat => m.thermal_energy == 1,
             Pass::Smooth => m.xsph == 1,
@@ -153,7 +178,7 @@ impl Plan {
         };
         let value = &choice.density_kernel.terms()[..1];
         let slope = &choice.pressure_kernel.terms()[1..];
-        let continuity = choice.density == DensityForm::Continuity;
+        let continuity = crate::terms::density::is_stepped(m);
         let corrects = m.corrects_pressure();
         match pass {
             Pass::IntegrateBefore => {
@@ -166,6 +191,7 @@ impl Plan {
                 add(choice.density.terms(), true);
                 add(if continuity { slope } else { value }, true);
                 add(&["interpolated"], m.reads_tables());
+                add(&["volume_by_number"], m.numbers == 1);
                 add(choice.equation_of_state.terms(), !corrects);
                 add(&choice.near_pressure.terms()[..choice.near_pressure.terms().len().min(1)], m.near_pressure != 0);
             }
@@ -175,11 +201,24 @@ impl Plan {
                 add(choice.wall_pressure.terms(), m.wall_particles != 0);
                 add(&choice.near_pressure.terms()[choice.near_pressure.terms().len().min(1)..], m.near_pressure != 0);
                 add(choice.viscosity.terms(), m.viscosity != 0 && choice.viscosity != Viscosity::Exchange);
+                add(choice.surface_tension.terms(), m.tension != 0 && !m.has_curvature());
                 add(&["exchange_neighbour"], m.exchange == 1);
                 add(&["weight"], m.gravity == 1);
                 add(&["buoyancy"], m.buoyancy == 1);
                 add(&["wind_drag"], m.wind == 1);
                 add(&["field_share"], m.field == 1);
+            }
+            Pass::Normals => {
+                add(&["colour_gradient"], true);
+                add(&["colour_laplacian", "curvature_of_colour"], m.tension == tension::CURVATURE);
+            }
+            Pass::Tension => {
+                add(&["normal_divergence", "curvature_of_normals"], m.tension == tension::NORMAL_CURVATURE);
+                add(&["tension_close"], true);
+            }
+            Pass::Springs => {
+                add(&["spring_pull"], true);
+                add(&["spring_given_way"], m.plastic == 1);
             }
             Pass::PressureForce => {
                 add(choice.pressure_force.terms(), true);
@@ -239,13 +278,21 @@ impl Plan {
             (m.layers == 0, "cells along z", "the scene is in 2D: a stencil of 9 cells"),
             (!lists, "cell lists", "grid.structure is the index sort"),
             (lists, "index sort", "grid.structure is cell lists"),
-            (true, "surface tension", "no scene of this version can ask for it"),
-            (true, "elasticity", "no scene of this version can ask for it"),
+            (m.fluids == 0, "several fluids", "there is one"),
+            (m.tension == 0, "surface tension", "model.surface_tension is Off, or fluid.surface_tension is 0"),
+            (m.normals == 0, "normals", "no tension needs them, and model.surface_normals is off"),
+            (m.springs == 0, "elasticity", "fluid.elastic_stiffness is 0"),
+            (m.plastic == 0, "plasticity", "elasticity.plasticity and elasticity.break_at are not set"),
             (true, "bodies", "no scene of this version can ask for it"),
             (true, "emitters over time", "no scene of this version can ask for it"),
         ];
         all.into_iter().filter(|(left_out, ..)| *left_out).map(|(_, what, why)| LeftOut { what, why }).collect()
     }
+}
+
+/// Do springs join its particles?
+fn is_elastic(fluid: &Fluid) -> bool {
+    fluid.elastic_stiffness != 0.0
 }
 
 impl Needs {
@@ -268,6 +315,10 @@ impl Needs {
             heat: m.thermal_energy == 1,
             previous: m.needs_previous(),
             free: m.corrects_pressure(),
+            normals: m.normals == 1,
+            springs: m.springs == 1,
+            spring_ends: if m.springs == 1 { scene.spring_ends() } else { 0 },
+            plastic: m.plastic == 1,
             tables: m.reads_tables(),
             nodes: scene.field_counts()[3] as usize,
         }

@@ -27,8 +27,10 @@ pub struct Energies {
     pub kinetic: f64,
     /// Thermal; 0 where a scene keeps no account of it.
     pub internal: f64,
-    /// In the field of gravity, from the origin; ambient buoyancy counted by the rest density.
+    /// In the field of gravity, from the origin; ambient buoyancy counted by the rest densities.
     pub potential: f64,
+    /// In springs.
+    pub elastic: f64,
 }
 
 impl Solver<'_> {
@@ -52,11 +54,12 @@ impl Solver<'_> {
     pub fn energies(&self) -> Energies {
         let (slots, state, p) = (self.slots(), self.state(), self.parameters());
         let dot = |a: f32x4, b: f32x4| (0..3).map(|i| f64::from(a[i]) * f64::from(b[i])).sum::<f64>();
-        let lift = 1.0 - f64::from(p.ambient_ratio);
+        let lift = |slot: usize| 1.0 - f64::from(p.ambient_ratio) / f64::from(self.kind(slot)[2]);
         let sum = |energy: &dyn Fn(usize) -> f64| {
             let of = |id: usize| {
                 let slot = slots[id] as usize;
-                let mass = f64::from(state.position[slot][3]) * f64::from(p.particle_mass);
+                let [_, _, rest, _] = self.kind(slot);
+                let mass = f64::from(state.position[slot][3]) * f64::from(p.particle_mass) * f64::from(rest);
                 if self.is_wall(slot) { 0.0 } else { mass * energy(slot) }
             };
             tree_sum(slots.len(), &of)
@@ -64,7 +67,8 @@ impl Solver<'_> {
         Energies {
             kinetic: sum(&|slot| 0.5 * dot(state.velocity[slot], state.velocity[slot])),
             internal: sum(&|slot| state.heat.get(slot).map_or(0.0, |heat| f64::from(heat[0]))),
-            potential: sum(&|slot| -lift * dot(p.gravity, state.position[slot])),
+            potential: sum(&|slot| -lift(slot) * dot(p.gravity, state.position[slot])),
+            elastic: self.elastic_energy(),
         }
     }
 
@@ -75,7 +79,7 @@ impl Solver<'_> {
     }
 
     /// The same, of slots.
-    fn visit_pairs(&mut self, mut visit: impl FnMut(&Solver<'_>, usize, usize)) {
+    pub(crate) fn visit_pairs(&mut self, mut visit: impl FnMut(&Solver<'_>, usize, usize)) {
         let (p, m) = (*self.parameters(), self.plan().model);
         let layers = m.layers as i32;
         self.sort_again();

@@ -4,12 +4,13 @@ use crate::error::{SceneError, StepError};
 use crate::executor::{Executor, Serial};
 use crate::guided::parameters;
 use crate::hash::state_hash;
-use crate::layout::{Parameters, SPECIES, f32x4};
+use crate::layout::{Parameters, SPECIES, f32x4, u32x2, u32x4};
 use crate::memory::{Memory, Needs, State};
 use crate::passes::Setup;
 use crate::plan::Plan;
-use crate::scene::{BLOCKS, Dimension, Place, Scene, check_count, places};
-use crate::step::{self, Pass, Settled};
+use crate::scene::{Dimension, Kind, Place, Scene, check_count, kind_of, places};
+use crate::springs::join;
+use crate::step::{self, Pass, Settled, SpringEnds};
 use crate::tables::fill_tables;
 use glam::Vec3;
 
@@ -65,6 +66,14 @@ pub struct Particle {
     pub thermal_energy: f32,
     /// Does it belong to a wall?
     pub wall: bool,
+    /// Number of its fluid; of a wall's, of the one that it is like.
+    pub fluid: u32,
+    /// Inward normal of its fluid's surface, the gradient of its colour, 1/m; 0 where a scene finds none.
+    pub normal: Vec3,
+    /// Curvature of the surface, 1/m, positive where the fluid is convex; 0 off the surface, and where no tension needs it.
+    pub curvature: f32,
+    /// Is it at the surface? (Where a scene finds normals.)
+    pub at_surface: bool,
 }
 
 /// What the pressure correction came to.
@@ -114,6 +123,8 @@ impl<'m> Solver<'m> {
         solver.fill(scene, places)?;
         // with time standing still a step evaluates the first accelerations and sorts the particles
         solver.advance(&Serial, &parameters.at_rest(), &mut |_| ())?;
+        // no spring pulls at the start, so that it does not matter that they are made last
+        join(&mut solver, scene)?;
         Ok(solver)
     }
 
@@ -130,11 +141,9 @@ impl<'m> Solver<'m> {
             if scene.dimension == Dimension::Two && (z != 0.0 || w != 0.0) {
                 return Err(SceneError::OutOfPlane);
             }
-            let first_wall = 1 + BLOCKS as u32;
-            let last_wall = first_wall + scene.walls.len() as u32;
-            let known = |kind: u32| kind <= scene.blocks.len() as u32 || (first_wall..last_wall).contains(&kind);
             let (masses, species) = (self.plan.model.masses == 1, self.plan.model.species == 1);
-            if !known(place.species) || (place.species > 0 && !species) || (place.mass != 1.0 && !masses) {
+            let known = kind_of(place.species, scene).is_some_and(|kind| kind != Kind::Dormant);
+            if !known || (place.species > 0 && !species) || (place.mass != 1.0 && !masses) {
                 return Err(SceneError::UnplannedParticle { particle: slot as u32 });
             }
             if !(place.mass > 0.0 && place.mass.is_finite()) {
@@ -144,10 +153,13 @@ impl<'m> Solver<'m> {
             state.velocity[slot] = [u, v, w, place.species as f32];
             state.acceleration[slot] = [0.0; 4];
             state.density_pressure[slot] = [place.deviation, place.pressure, 0.0, 0.0];
+            if let (Some(heat), Some(Kind::Fluid(fluid))) = (state.heat.get_mut(slot), kind_of(place.species, scene)) {
+                *heat = [scene.fluid_of(fluid).thermal_energy, 0.0, 0.0, 0.0];
+            }
             state.id[slot] = slot as u32;
         }
         state.smoothing.fill([0.0; 4]);
-        state.heat.fill([scene.fluid.thermal_energy, 0.0, 0.0, 0.0]);
+        self.memory.springs.of.fill([0; 4]);
         match places.next() {
             Some(_) => {
                 let needed = needed + 1;
@@ -214,13 +226,18 @@ impl<'m> Solver<'m> {
         parameters: &Parameters,
         begins: &mut dyn FnMut(Pass),
     ) -> Result<Settled, StepError> {
-        let Memory { states: [a, b], slot: slots, scratch, tables, field } = &mut self.memory;
+        let Memory { states: [a, b], slot: slots, scratch, springs, tables, field } = &mut self.memory;
+        let [ends, other_ends] = &mut springs.ends;
+        // where lengths at rest change, they trade places as the states do
+        let (old_ends, new_ends): (&[_], &mut [_]) =
+            if self.plan.model.plastic == 1 && self.current == 1 { (other_ends, ends) } else { (ends, other_ends) };
+        let springs = SpringEnds { of: springs.of, old: old_ends, new: new_ends };
         let setup = Setup { model: &self.plan.model, parameters, tables, field, simd: self.simd };
         let (old, new) = if self.current == 0 { (&*a, b) } else { (&*b, a) };
         // time that stands still has no next density to aim at
         let iterations = if parameters.time_step > 0.0 { self.plan.iterations() } else { 0 };
         let attempt = (self.steps as u32, iterations);
-        let settled = step::run(setup, executor, begins, attempt, old, new, scratch)?;
+        let settled = step::run(setup, executor, begins, attempt, old, new, springs, scratch)?;
         for (slot, &id) in new.id.iter().enumerate() {
             slots[id as usize] = slot as u32;
         }
@@ -252,22 +269,47 @@ impl<'m> Solver<'m> {
             let slot = slot as usize;
             let [deviation, pressure, ..] = state.density_pressure[slot];
             let (position, velocity) = (vector(state.position[slot]), vector(state.velocity[slot]));
+            let [_, wall, rest, fluid] = self.kind(slot);
+            let normal = state.normal.get(slot).map_or(Vec3::ZERO, |&normal| vector(normal));
             Particle {
                 id: id as u32,
                 position,
                 velocity,
-                density: (deviation + 1.0) * self.parameters.rest_density,
+                density: (deviation + 1.0) * self.parameters.rest_density * rest,
                 pressure,
                 thermal_energy: state.heat.get(slot).map_or(0.0, |heat| heat[0]),
-                wall: self.is_wall(slot),
+                wall: wall > 0.0,
+                fluid: fluid as u32,
+                normal,
+                curvature: if self.plan.model.has_curvature() { state.acceleration[slot][3] } else { 0.0 },
+                at_surface: normal.length() > self.parameters.surface_threshold,
             }
         })
     }
 
+    /// What the kind of the particle in a slot has of its own ([`Parameters::species`]).
+    pub(crate) fn kind(&self, slot: usize) -> f32x4 {
+        let kind = self.state().velocity[slot][3] as usize;
+        let known = if self.plan.model.species == 1 { kind.min(SPECIES - 1) } else { 0 };
+        self.parameters.species[known]
+    }
+
     /// Does the particle in a slot belong to a wall?
     pub(crate) fn is_wall(&self, slot: usize) -> bool {
-        let kind = self.state().velocity[slot][3] as usize;
-        self.plan.model.species == 1 && self.parameters.species[kind.min(SPECIES - 1)][1] > 0.0
+        self.kind(slot)[1] > 0.0
+    }
+
+    /// Ends of springs as they are now: see [`Springs::ends`](crate::memory::Springs::ends).
+    #[must_use]
+    pub fn spring_ends(&self) -> &[u32x2] {
+        let plastic = self.plan.model.plastic == 1;
+        self.memory.springs.ends[if plastic { self.current } else { 0 }]
+    }
+
+    /// What each particle has of springs, by id: see [`Springs::of`](crate::memory::Springs::of).
+    #[must_use]
+    pub fn springs_of(&self) -> &[u32x4] {
+        self.memory.springs.of
     }
 
     /// What the pressure correction came to; all zero with an equation of state.

@@ -2,18 +2,21 @@
 use crate::error::StepError;
 use crate::executor::Executor;
 use crate::grid::Cells;
-use crate::layout::{NONE, Status};
+use crate::layout::{NONE, Status, u32x2, u32x4};
 use crate::memory::{Scratch, State};
 use crate::passes::local::Particles;
 use crate::passes::p10_force::Force;
-use crate::passes::p11_pressure_force::PressureForce;
-use crate::passes::p12_pressure_correct::PressureCorrect;
-use crate::passes::p14_heat::Heat;
-use crate::passes::p15_smooth::Smooth;
+use crate::passes::p11_normals::Normals;
+use crate::passes::p12_tension::Tension;
+use crate::passes::p13_springs::{self, Sprung};
+use crate::passes::p14_pressure_force::PressureForce;
+use crate::passes::p15_pressure_correct::PressureCorrect;
+use crate::passes::p17_heat::Heat;
+use crate::passes::p18_smooth::Smooth;
 use crate::passes::pairs::{self, Lists};
 use crate::passes::{
     Setup, p01_integrate_before, p02_count, p03_cell_lists, p04_scan, p05_place, p06_order, p07_gather, p08_support,
-    p09_density, p13_pressure_settle, p16_integrate_after, p17_commit,
+    p09_density, p16_pressure_settle, p19_integrate_after, p21_commit,
 };
 
 /// Declares the passes once: name, what it does, name of its file.
@@ -57,20 +60,26 @@ passes! {
     Density = "p09_density",
     /// Accelerations.
     Force = "p10_force",
+    /// Normals of surfaces (where somebody needs them).
+    Normals = "p11_normals",
+    /// Accelerations by the curvature of surfaces (where they have a tension).
+    Tension = "p12_tension",
+    /// Accelerations by springs (where a fluid is elastic).
+    Springs = "p13_springs",
     /// Accelerations by pressure (where it is corrected; once more than the next two).
-    PressureForce = "p11_pressure_force",
+    PressureForce = "p14_pressure_force",
     /// Pressures (where they are corrected).
-    PressureCorrect = "p12_pressure_correct",
+    PressureCorrect = "p15_pressure_correct",
     /// Whether that will do.
-    PressureSettle = "p13_pressure_settle",
+    PressureSettle = "p16_pressure_settle",
     /// Thermal energy (where it is kept account of).
-    Heat = "p14_heat",
+    Heat = "p17_heat",
     /// Velocities to move with (XSPH).
-    Smooth = "p15_smooth",
+    Smooth = "p18_smooth",
     /// Half kick, penalty walls, a look for what is not finite.
-    IntegrateAfter = "p16_integrate_after",
+    IntegrateAfter = "p19_integrate_after",
     /// The step counts, or says why not.
-    Commit = "p17_commit",
+    Commit = "p21_commit",
 }
 
 /// What a step of corrected pressure came to.
@@ -82,6 +91,13 @@ pub struct Settled {
     pub residual: f32,
 }
 
+/// Springs, by id, and their ends before and, where lengths at rest change, after a step.
+pub(crate) struct SpringEnds<'a> {
+    pub of: &'a [u32x4],
+    pub old: &'a [u32x2],
+    pub new: &'a mut [u32x2],
+}
+
 /// Makes `new` from `old`, or says why it cannot; `old` stays as it was. `begins` is told of each pass before it runs.
 /// Pressure is iterated at most `iterations` times.
 pub(crate) fn run(
@@ -91,6 +107,7 @@ pub(crate) fn run(
     (steps, iterations): (u32, u32),
     old: &State<'_>,
     new: &mut State<'_>,
+    springs: SpringEnds<'_>,
     scratch: &mut Scratch<'_>,
 ) -> Result<Settled, StepError> {
     let (m, p) = (setup.model, setup.parameters);
@@ -105,13 +122,13 @@ pub(crate) fn run(
 
     begins(Pass::Count);
     let out_of_range = p02_count::find(p, executor, waiting_position, old.id, s.cell);
-    p17_commit::verdict(&Status { out_of_range, ..fine }, places)?;
+    p21_commit::verdict(&Status { out_of_range, ..fine }, places)?;
     p02_count::run(s.cell, s.rank, s.counter);
     if places > 0 {
         begins(Pass::CellLists);
         let cell_full = p03_cell_lists::run(s.cell, s.rank, places, s.grid_cells);
         let cell_count = if cell_full == NONE { 0 } else { s.counter[cell_full as usize] };
-        p17_commit::verdict(&Status { cell_full, cell_count, ..fine }, places)?;
+        p21_commit::verdict(&Status { cell_full, cell_count, ..fine }, places)?;
     }
     begins(Pass::Scan);
     p04_scan::run(s.counter, s.begin);
@@ -144,8 +161,28 @@ pub(crate) fn run(
     begins(Pass::Force);
     let mut settled = Settled::default();
     let known = Particles { density_pressure: new.density_pressure, ..unknown };
+    // what pressure is added to later stands by itself
+    let driven = if m.corrects_pressure() { &mut *s.free } else { &mut *new.acceleration };
+    pairs::run(setup, executor, known, lists, &Force, driven);
+    if m.normals == 1 {
+        begins(Pass::Normals);
+        pairs::run(setup, executor, known, lists, &Normals, new.normal);
+    }
+    if m.has_curvature() {
+        begins(Pass::Tension);
+        pairs::run(setup, executor, known, lists, &Tension { normal: new.normal }, driven);
+    }
+    if m.springs == 1 {
+        begins(Pass::Springs);
+        p13_springs::find(new.id, s.slot_of);
+        let SpringEnds { of, old: ends, new: new_ends } = springs;
+        let sprung = Sprung { position: new.position, id: new.id, slot_of: s.slot_of, of, ends };
+        p13_springs::run(setup, executor, sprung, driven);
+        if m.plastic == 1 {
+            p13_springs::give_way(setup, executor, sprung, new_ends);
+        }
+    }
     if m.corrects_pressure() {
-        pairs::run(setup, executor, known, lists, &Force, s.free);
         for _ in 0..iterations {
             begins(Pass::PressureForce);
             let known = Particles { density_pressure: new.density_pressure, ..unknown };
@@ -155,15 +192,13 @@ pub(crate) fn run(
             let residual = pairs::run(setup, executor, unknown, lists, &correct, new.density_pressure);
             begins(Pass::PressureSettle);
             settled = Settled { iterations: settled.iterations + 1, residual: f32::from_bits(residual) };
-            if p13_pressure_settle::run(p, residual) {
+            if p16_pressure_settle::run(p, residual) {
                 break;
             }
         }
         begins(Pass::PressureForce);
         let known = Particles { density_pressure: new.density_pressure, ..unknown };
         pairs::run(setup, executor, known, lists, &PressureForce { free: s.free }, new.acceleration);
-    } else {
-        pairs::run(setup, executor, known, lists, &Force, new.acceleration);
     }
 
     let known = Particles { density_pressure: new.density_pressure, ..unknown };
@@ -176,9 +211,9 @@ pub(crate) fn run(
         pairs::run(setup, executor, known, lists, &Smooth { acceleration: new.acceleration }, new.smoothing);
     }
     begins(Pass::IntegrateAfter);
-    let not_finite = p16_integrate_after::run(setup, executor, new);
+    let not_finite = p19_integrate_after::run(setup, executor, new);
 
     begins(Pass::Commit);
-    p17_commit::verdict(&Status { not_finite, ..fine }, places)?;
+    p21_commit::verdict(&Status { not_finite, ..fine }, places)?;
     Ok(settled)
 }

@@ -2,8 +2,8 @@
 //!
 //! [`Storage`] is all zero, so as a `static` it lies in .bss and costs the binary nothing. The solver itself only sees
 //! [`Memory`], slices of any origin, and so is compiled once for every capacity.
-use crate::layout::{TABLE_WORDS, f32x4};
-use crate::memory::{LIST_ENTRIES, Memory, Scratch, State};
+use crate::layout::{TABLE_WORDS, f32x4, u32x2, u32x4};
+use crate::memory::{LIST_ENTRIES, Memory, Scratch, Springs, State};
 
 /// Memory for `N` particles and `CELLS` cells.
 ///
@@ -44,6 +44,21 @@ pub struct Extras<const SMOOTHING: usize, const HEAT: usize, const PREVIOUS: usi
     heat: [[f32x4; HEAT]; 2],
     previous: [f32x4; PREVIOUS],
     free: [f32x4; FREE],
+}
+
+/// Memory for the normals of surfaces, where a scene finds them.
+#[derive(Debug, bytemuck::Zeroable)]
+pub struct SurfaceStorage<const N: usize> {
+    normal: [[f32x4; N]; 2],
+}
+
+/// Memory for the springs of elastic fluids, two `ENDS` a spring; `CHANGING` is as many where lengths at rest change, else 0.
+#[derive(Debug, bytemuck::Zeroable)]
+pub struct SpringStorage<const N: usize, const ENDS: usize, const CHANGING: usize> {
+    of: [u32x4; N],
+    ends: [u32x2; ENDS],
+    changing: [u32x2; CHANGING],
+    slot_of: [u32; N],
 }
 
 /// Memory for kernels as tables.
@@ -90,7 +105,9 @@ impl<const N: usize, const CELLS: usize> Storage<N, CELLS> {
                 grid_cells: &mut [],
                 previous: &mut [],
                 free: &mut [],
+                slot_of: &mut [],
             },
+            springs: Springs { of: &mut [], ends: [&mut [], &mut []] },
             tables: &mut [],
             field: &mut [],
         }
@@ -108,7 +125,16 @@ impl<'m> State<'m> {
     /// Of the four arrays that every scene has.
     fn bare<const N: usize>(vectors: &'m mut [[f32x4; N]; 4], id: &'m mut [u32]) -> State<'m> {
         let [position, velocity, acceleration, density_pressure] = vectors;
-        State { position, velocity, acceleration, density_pressure, smoothing: &mut [], heat: &mut [], id }
+        State {
+            position,
+            velocity,
+            acceleration,
+            density_pressure,
+            smoothing: &mut [],
+            heat: &mut [],
+            normal: &mut [],
+            id,
+        }
     }
 }
 
@@ -132,6 +158,33 @@ impl<'m> Memory<'m> {
         (a.smoothing, b.smoothing) = (smoothing, other_smoothing);
         (a.heat, b.heat) = (heat, other_heat);
         (self.scratch.previous, self.scratch.free) = (&mut extras.previous, &mut extras.free);
+        self
+    }
+
+    /// And normals of surfaces.
+    #[must_use]
+    pub fn with_surface<const N: usize>(mut self, surface: &'m mut SurfaceStorage<N>) -> Memory<'m> {
+        let [a, b] = &mut self.states;
+        let [normal, other_normal] = &mut surface.normal;
+        (a.normal, b.normal) = (normal, other_normal);
+        self
+    }
+
+    /// And springs.
+    ///
+    /// ```
+    /// use millpond_core::{SpringStorage, Storage};
+    /// let mut springs = Box::new(SpringStorage::<4096, 73728, 0>::new());
+    /// let mut storage = Box::new(Storage::<4096, 32768>::new());
+    /// let memory = storage.lend().with_springs(&mut springs);
+    /// ```
+    #[must_use]
+    pub fn with_springs<const N: usize, const ENDS: usize, const CHANGING: usize>(
+        mut self,
+        springs: &'m mut SpringStorage<N, ENDS, CHANGING>,
+    ) -> Memory<'m> {
+        self.springs = Springs { of: &mut springs.of, ends: [&mut springs.ends, &mut springs.changing] };
+        self.scratch.slot_of = &mut springs.slot_of;
         self
     }
 
@@ -174,6 +227,13 @@ all_zero!(Extras<S, H, P, F> = Extras {
     heat: [[[0.0; 4]; H]; 2],
     previous: [[0.0; 4]; P],
     free: [[0.0; 4]; F],
+});
+all_zero!(SurfaceStorage<N> = SurfaceStorage { normal: [[[0.0; 4]; N]; 2] });
+all_zero!(SpringStorage<N, ENDS, CHANGING> = SpringStorage {
+    of: [[0; 4]; N],
+    ends: [[0; 2]; ENDS],
+    changing: [[0; 2]; CHANGING],
+    slot_of: [0; N],
 });
 all_zero!(TableStorage<> = TableStorage([0.0; TABLE_WORDS]));
 all_zero!(FieldStorage<NODES> = FieldStorage([[0.0; 4]; NODES]));

@@ -53,6 +53,8 @@ arrays! {
     NewSmoothing = "new_smoothing": "array<f32x4>",
     /// New state, with thermal energy.
     NewHeat = "new_heat": "array<f32x4>",
+    /// New state, with normals.
+    NewNormal = "new_normal": "array<f32x4>",
     /// New state.
     NewId = "new_id": "array<u32>",
     /// Densities and pressures before the step, where it needs them.
@@ -61,6 +63,14 @@ arrays! {
     Free = "free": "array<f32x4>",
     /// Where the force pass writes: the new accelerations, or those without pressure.
     ForceOut = "force_out": "array<f32x4>",
+    /// Slot of each particle, by id; with springs.
+    SlotOf = "slot_of": "array<u32>",
+    /// What each particle has of springs, by id.
+    SpringsOf = "springs_of": "array<u32x4>",
+    /// Ends of springs before the step.
+    OldEnds = "old_ends": "array<u32x2>",
+    /// And after it, where lengths at rest change.
+    NewEnds = "new_ends": "array<u32x2>",
     /// Nodes of the host's field.
     FieldNodes = "field_nodes": "array<f32x4>",
     /// Cell of each particle.
@@ -112,7 +122,15 @@ pub fn arrays(pass: Pass) -> &'static [(Array, Access)] {
         Pass::CellLists => &[(Head, Atomic), (Cell, Read), (Rank, Read), (GridCells, Write)],
         Pass::Scan => &[(Head, Read), (Begin, Write)],
         Pass::Place => &[(Head, Read), (Cell, Read), (Rank, Read), (Begin, Read), (Order, Write)],
-        Pass::Order => &[(Head, Read), (Begin, Read), (OldId, Read), (GridCells, Read), (Order, Write), (NewId, Write)],
+        Pass::Order => &[
+            (Head, Read),
+            (Begin, Read),
+            (OldId, Read),
+            (GridCells, Read),
+            (Order, Write),
+            (NewId, Write),
+            (SlotOf, Write),
+        ],
         Pass::Gather => &[(Head, Read), (Order, Read), (GatherFrom, Read), (GatherTo, Write)],
         Pass::Support => &[(Head, Read), (Previous, Write)],
         Pass::Density => &[
@@ -131,6 +149,35 @@ pub fn arrays(pass: Pass) -> &'static [(Array, Access)] {
             (NewDensityPressure, Read),
             (Previous, Read),
             (FieldNodes, Read),
+            (ForceOut, Write),
+        ],
+        Pass::Normals => &[
+            (Head, Read),
+            (Begin, Read),
+            (NewPosition, Read),
+            (NewVelocity, Read),
+            (NewDensityPressure, Read),
+            (Previous, Read),
+            (NewNormal, Write),
+        ],
+        Pass::Tension => &[
+            (Head, Read),
+            (Begin, Read),
+            (NewPosition, Read),
+            (NewVelocity, Read),
+            (NewDensityPressure, Read),
+            (Previous, Read),
+            (NewNormal, Read),
+            (ForceOut, Write),
+        ],
+        Pass::Springs => &[
+            (Head, Read),
+            (NewPosition, Read),
+            (NewId, Read),
+            (SlotOf, Read),
+            (SpringsOf, Read),
+            (OldEnds, Read),
+            (NewEnds, Write),
             (ForceOut, Write),
         ],
         Pass::PressureForce => &[

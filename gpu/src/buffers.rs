@@ -15,6 +15,8 @@ pub(crate) struct StateBuffers {
     pub density_pressure: wgpu::Buffer,
     pub smoothing: wgpu::Buffer,
     pub heat: wgpu::Buffer,
+    pub normal: wgpu::Buffer,
+    pub ends: wgpu::Buffer,
     pub id: wgpu::Buffer,
 }
 
@@ -33,6 +35,9 @@ pub(crate) struct Buffers {
     grid_cells: wgpu::Buffer,
     previous: wgpu::Buffer,
     free: wgpu::Buffer,
+    slot_of: wgpu::Buffer,
+    springs_of: wgpu::Buffer,
+    plastic: bool,
     corrects_pressure: bool,
 }
 
@@ -99,6 +104,8 @@ impl Buffers {
                     density_pressure: storage.filled("density_pressure", state.density_pressure)?,
                     smoothing: storage.filled("smoothing", state.smoothing)?,
                     heat: storage.filled("heat", state.heat)?,
+                    normal: storage.filled("normal", state.normal)?,
+                    ends: storage.filled("spring ends", solver.spring_ends())?,
                     id: storage.filled("id", state.id)?,
                 },
                 StateBuffers {
@@ -108,11 +115,16 @@ impl Buffers {
                     density_pressure: storage.room("density_pressure", vectors)?,
                     smoothing: storage.room("smoothing", size_of_val(state.smoothing))?,
                     heat: storage.room("heat", size_of_val(state.heat))?,
+                    normal: storage.room("normal", size_of_val(state.normal))?,
+                    ends: storage.filled("spring ends", if m.plastic == 1 { solver.spring_ends() } else { &[] })?,
                     id: storage.room("id", words(n))?,
                 },
             ],
             previous: storage.room("previous", if_needed(m.needs_previous()))?,
             free: storage.room("free", if_needed(m.corrects_pressure()))?,
+            slot_of: storage.room("slot_of", words(solver.springs_of().len()))?,
+            springs_of: storage.filled("springs", solver.springs_of())?,
+            plastic: m.plastic == 1,
             corrects_pressure: m.corrects_pressure(),
             cell: storage.room("cell", words(n))?,
             rank: storage.room("rank", words(n))?,
@@ -139,7 +151,25 @@ impl Buffers {
             Array::NewDensityPressure => &to.density_pressure,
             Array::NewSmoothing => &to.smoothing,
             Array::NewHeat => &to.heat,
+            Array::NewNormal => &to.normal,
             Array::NewId => &to.id,
+            Array::SlotOf => &self.slot_of,
+            Array::SpringsOf => &self.springs_of,
+            // lengths at rest that do not change stay in the first
+            Array::OldEnds => {
+                if self.plastic {
+                    &from.ends
+                } else {
+                    &self.states[0].ends
+                }
+            }
+            Array::NewEnds => {
+                if self.plastic {
+                    &to.ends
+                } else {
+                    &self.states[1].ends
+                }
+            }
             Array::Previous => &self.previous,
             Array::Free => &self.free,
             Array::ForceOut if self.corrects_pressure => &self.free,

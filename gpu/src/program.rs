@@ -41,13 +41,16 @@ fn loop_text(pass: Pass) -> &'static str {
         Pass::Support => include_str!("shaders/p08_support.wgsl"),
         Pass::Density => include_str!("shaders/p09_density.wgsl"),
         Pass::Force => include_str!("shaders/p10_force.wgsl"),
-        Pass::PressureForce => include_str!("shaders/p11_pressure_force.wgsl"),
-        Pass::PressureCorrect => include_str!("shaders/p12_pressure_correct.wgsl"),
-        Pass::PressureSettle => include_str!("shaders/p13_pressure_settle.wgsl"),
-        Pass::Heat => include_str!("shaders/p14_heat.wgsl"),
-        Pass::Smooth => include_str!("shaders/p15_smooth.wgsl"),
-        Pass::IntegrateAfter => include_str!("shaders/p16_integrate_after.wgsl"),
-        Pass::Commit => include_str!("shaders/p17_commit.wgsl"),
+        Pass::Normals => include_str!("shaders/p11_normals.wgsl"),
+        Pass::Tension => include_str!("shaders/p12_tension.wgsl"),
+        Pass::Springs => include_str!("shaders/p13_springs.wgsl"),
+        Pass::PressureForce => include_str!("shaders/p14_pressure_force.wgsl"),
+        Pass::PressureCorrect => include_str!("shaders/p15_pressure_correct.wgsl"),
+        Pass::PressureSettle => include_str!("shaders/p16_pressure_settle.wgsl"),
+        Pass::Heat => include_str!("shaders/p17_heat.wgsl"),
+        Pass::Smooth => include_str!("shaders/p18_smooth.wgsl"),
+        Pass::IntegrateAfter => include_str!("shaders/p19_integrate_after.wgsl"),
+        Pass::Commit => include_str!("shaders/p21_commit.wgsl"),
     }
 }
 
@@ -76,7 +79,8 @@ pub fn library(model: &Model, words: Words) -> String {
 pub fn program(pass: Pass, model: &Model, words: Words) -> String {
     let mut out = library(model, words);
     out += include_str!("shaders/grid.wgsl");
-    if matches!(pass, Pass::Force | Pass::PressureForce | Pass::Heat | Pass::Smooth) {
+    let pairs = [Pass::Force, Pass::Normals, Pass::Tension, Pass::PressureForce, Pass::Heat, Pass::Smooth];
+    if pairs.contains(&pass) {
         out += include_str!("shaders/local.wgsl");
     }
     out += &format!("const WORKGROUP: u32 = {}u;\n", workgroup(pass));

@@ -4,7 +4,7 @@ use crate::device::Gpu;
 use crate::error::GpuError;
 use crate::pipelines::{Command, commands, record};
 use millpond_core::hash::state_hash;
-use millpond_core::layout::{Status, f32x4};
+use millpond_core::layout::{Status, f32x4, u32x2};
 use millpond_core::{CorrectionReport, SceneError, Solver, verdict};
 
 /// Steps that are recorded before the status is read: a failed step is found at most this late, and costs nothing more.
@@ -19,6 +19,9 @@ pub struct GpuSolver {
     particles: usize,
     nodes: usize,
     keeps_heat: bool,
+    finds_normals: bool,
+    spring_ends: usize,
+    plastic: bool,
     cell_places: u32,
     first_step: u64,
     /// Steps that count.
@@ -38,6 +41,10 @@ pub struct Readback {
     pub density_pressure: Vec<f32x4>,
     /// Thermal energy, J/kg, and its rate, W/kg; empty where a scene keeps no account of it.
     pub heat: Vec<f32x4>,
+    /// Normals of surfaces, 1/m, and their curvature by the colour; empty where a scene finds none.
+    pub normal: Vec<f32x4>,
+    /// Ends of springs, as the CPU solver's; empty where a scene has none.
+    pub spring_ends: Vec<u32x2>,
     /// Which particle stands in a slot.
     pub id: Vec<u32>,
 }
@@ -83,6 +90,9 @@ impl GpuSolver {
             particles: parameters.particle_count as usize,
             nodes: solver.field().len(),
             keeps_heat: plan.model.thermal_energy == 1,
+            finds_normals: plan.model.normals == 1,
+            spring_ends: solver.spring_ends().len(),
+            plastic: plan.model.plastic == 1,
             cell_places: plan.model.cell_places,
             first_step: solver.steps(),
             steps: solver.steps(),
@@ -178,12 +188,16 @@ impl GpuSolver {
     pub fn read(&self) -> Result<Readback, GpuError> {
         let state = &self.buffers.states[self.current()];
         let (gpu, n) = (&self.gpu, self.particles);
+        let if_any = |there: bool| if there { n } else { 0 };
+        let ends = if self.plastic { &state.ends } else { &self.buffers.states[0].ends };
         Ok(Readback {
             position: read(gpu, &state.position, n)?,
             velocity: read(gpu, &state.velocity, n)?,
             acceleration: read(gpu, &state.acceleration, n)?,
             density_pressure: read(gpu, &state.density_pressure, n)?,
-            heat: if self.keeps_heat { read(gpu, &state.heat, n)? } else { Vec::new() },
+            heat: read(gpu, &state.heat, if_any(self.keeps_heat))?,
+            normal: read(gpu, &state.normal, if_any(self.finds_normals))?,
+            spring_ends: read(gpu, ends, self.spring_ends)?,
             id: read(gpu, &state.id, n)?,
         })
     }

@@ -18,8 +18,12 @@ pub fn wgsl_of(rust: &str) -> String {
             continue;
         }
         let mut code = code.replacen("pub ", "", 1);
-        for (rust, wgsl) in [("<R: Real>", ""), ("Local<R>", "Local")] {
+        for (rust, wgsl) in [("<R: Real>", ""), ("Local<R>", "Local"), ("Stiffness<R>", "Stiffness")] {
             code = code.replace(rust, wgsl);
+        }
+        // a function of nothing else
+        for alone in ["(m: &Model)", "(m)"] {
+            code = code.replace(alone, "()");
         }
         // declared in this order, passed on in this order, each of them only where it is needed
         for (declared, passed) in [("m: &Model, ", "m, "), ("p: &Parameters, ", "p, "), ("t: &Tables, ", "t, ")] {

@@ -54,6 +54,8 @@ pub fn census(scene: &Scene, state: &Snapshot) -> Result<Census, Failure> {
     // walls may have moved particles into cells that are full: the index sort takes any number
     let mut scene = scene.clone();
     scene.grid.structure = GridStructure::IndexSort;
+    // springs are made where particles start, and this is not where they did
+    std::iter::once(&mut scene.fluid).chain(&mut scene.other_fluids).for_each(|fluid| fluid.elastic_stiffness = 0.0);
     let scene = &scene;
     let mut heap = Heap::with(Needs { particles: count, ..Needs::of(scene) });
     let solver = Solver::with_particles(scene, Plan::of(scene), count, state.places(), heap.lend());

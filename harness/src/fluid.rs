@@ -5,7 +5,7 @@ use crate::memory::Heap;
 use crate::pool::Pool;
 use crate::scenes::Named;
 use millpond_core::hash::state_hash;
-use millpond_core::layout::f32x4;
+use millpond_core::layout::{f32x4, u32x2};
 use millpond_core::scene::{Place, Scene};
 use millpond_core::{CorrectionReport, Solver};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
@@ -43,6 +43,10 @@ pub struct Snapshot {
     pub density_pressure: Vec<f32x4>,
     /// Thermal energy, J/kg, and its rate, W/kg; empty where the scene keeps no account of it.
     pub heat: Vec<f32x4>,
+    /// Inward normals of surfaces, 1/m, and in w the curvature that tension takes; empty where the scene finds none.
+    pub surface: Vec<f32x4>,
+    /// Ends of springs, each particle's side by side; empty where the scene has none.
+    pub spring_ends: Vec<u32x2>,
 }
 
 impl Snapshot {
@@ -54,7 +58,19 @@ impl Snapshot {
             velocity: by_id(velocity),
             density_pressure: by_id(density_pressure),
             heat: by_id(heat),
+            ..Snapshot::default()
         }
+    }
+
+    /// And what only some scenes have: normals with the curvature that is kept beside accelerations, ends of springs.
+    fn with(mut self, slots: &[u32], normal: &[f32x4], acceleration: &[f32x4], ends: &[u32x2]) -> Snapshot {
+        let of = |&slot: &u32| {
+            let [x, y, z, _] = *normal.get(slot as usize)?;
+            Some([x, y, z, acceleration.get(slot as usize)?[3]])
+        };
+        self.surface = slots.iter().filter_map(of).collect();
+        self.spring_ends = ends.to_vec();
+        self
     }
 
     /// Where particles would be to go on from here.
@@ -82,7 +98,12 @@ impl Snapshot {
     #[must_use]
     pub fn of_cpu(solver: &Solver<'_>) -> Snapshot {
         let state = solver.state();
-        Snapshot::of(solver.slots(), [state.position, state.velocity, state.density_pressure, state.heat])
+        Snapshot::of(solver.slots(), [state.position, state.velocity, state.density_pressure, state.heat]).with(
+            solver.slots(),
+            state.normal,
+            state.acceleration,
+            solver.spring_ends(),
+        )
     }
 
     /// Of a GPU solver.
@@ -91,7 +112,9 @@ impl Snapshot {
     /// The device failed.
     pub fn of_gpu(solver: &GpuSolver) -> Result<Snapshot, Failure> {
         let state = solver.read()?;
-        Ok(Snapshot::of(&state.slots(), [&state.position, &state.velocity, &state.density_pressure, &state.heat]))
+        let slots = state.slots();
+        let known = Snapshot::of(&slots, [&state.position, &state.velocity, &state.density_pressure, &state.heat]);
+        Ok(known.with(&slots, &state.normal, &state.acceleration, &state.spring_ends))
     }
 }
 

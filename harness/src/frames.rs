@@ -1,10 +1,11 @@
 //! Pictures of a run: which states are drawn, and how a scene looks.
 use crate::failure::Failure;
 use crate::fluid::Snapshot;
-use crate::paint::{Frame, View, paint};
-use crate::scenes::{Camera, Named, Shade};
+use crate::paint::{Colouring, Frame, Swatch, View, paint};
+use crate::scenes::{Camera, Named, SceneFile, Shade};
 use glam::Vec3;
-use millpond_core::scene::{Dimension, Scene};
+use millpond_core::layout::f32x4;
+use millpond_core::scene::{Dimension, Fluid, Kind, Scene, WallShape, kind_of};
 use std::path::{Path, PathBuf};
 
 /// Size of a picture, pixels.
@@ -72,30 +73,98 @@ impl<'a> Film<'a> {
 fn draw(named: &Named, step: u64, state: &Snapshot, path: &Path) -> Result<(), Failure> {
     let scene = &named.file.scene;
     let bounds = bounds(scene, state);
-    let speed = |v: &[f32; 4]| Vec3::new(v[0], v[1], v[2]).length();
-    let (shade, range, legend): (Vec<f32>, _, _) = match named.file.shade {
-        Shade::Speed(low, high) => (state.velocity.iter().map(speed).collect(), [low, high], "speed, m/s"),
-        Shade::Density(low, high) => {
-            let rest = scene.fluid.rest_density;
-            (state.density_pressure.iter().map(|d| (d[0] + 1.0) * rest).collect(), [low, high], "density, kg/m3")
-        }
-    };
+    let cast = Cast::of(&named.file, state);
+    let positions: Vec<f32x4> = cast.beads.iter().map(|bead| bead.position).collect();
     let time = step as f64 * f64::from(scene.time_step);
-    let caption = format!("{}   t = {time:.2} s   {} particles", named.name, state.position.len());
+    let caption = format!("{}   t = {time:.2} s   {} particles", named.name, cast.present);
     let frame = Frame {
-        positions: &state.position,
-        shade: &shade,
-        range,
+        positions: &positions,
+        colouring: &colouring(&named.file, &cast.beads),
+        walls: &cast.walls,
         radius: RADIUS * scene.particle_spacing,
         container: scene.container.as_ref().map(|_| bounds),
         caption: &caption,
-        legend,
     };
     let view = match named.file.camera {
         Camera::Flat => View::Flat,
         Camera::Orbit { yaw_degrees, pitch_degrees } => View::Orbit { yaw_degrees, pitch_degrees },
     };
     paint(&frame, &view, bounds, SIZE[0], SIZE[1]).write_png(path).map_err(Failure::file(path))
+}
+
+/// A particle of a fluid, as far as a picture can show it.
+#[derive(Clone, Copy, Debug)]
+struct Bead {
+    position: f32x4,
+    /// m/s.
+    speed: f32,
+    /// kg/m3.
+    density: f32,
+    /// Number of its fluid.
+    fluid: u32,
+}
+
+/// Who is in a picture.
+#[derive(Debug, Default)]
+struct Cast {
+    /// Particles of the fluids.
+    beads: Vec<Bead>,
+    /// Places of walls' particles that hide nothing.
+    walls: Vec<f32x4>,
+    /// Particles that there are, shown or not.
+    present: usize,
+}
+
+impl Cast {
+    fn of(file: &SceneFile, state: &Snapshot) -> Cast {
+        let scene = &file.scene;
+        let mut cast = Cast::default();
+        for ((x, v), d) in state.position.iter().zip(&state.velocity).zip(&state.density_pressure) {
+            let [vx, vy, vz, kind] = *v;
+            match kind_of(kind as u32, scene) {
+                Some(Kind::Fluid(fluid)) => cast.beads.push(Bead {
+                    position: *x,
+                    speed: Vec3::new(vx, vy, vz).length(),
+                    density: (d[0] + 1.0) * scene.fluid_of(fluid).rest_density,
+                    fluid,
+                }),
+                Some(Kind::Wall(wall)) if is_in_sight(file, wall, x[1]) => cast.walls.push(*x),
+                Some(Kind::Wall(_)) => {}
+                Some(Kind::Dormant) | None => continue,
+            }
+            cast.present += 1;
+        }
+        cast
+    }
+}
+
+/// Is a wall's particle at height `y` to be drawn? In the plane, where none stands in the way, it is; in space where it lies
+/// under all of the wall's inside, as a floor does, and is not seen from below.
+fn is_in_sight(file: &SceneFile, wall: u32, y: f32) -> bool {
+    let from_below = matches!(file.camera, Camera::Orbit { pitch_degrees, .. } if pitch_degrees < 0.0);
+    let is_floor = file.scene.walls.get(wall as usize).is_some_and(|wall| {
+        let (WallShape::Plane { low, .. } | WallShape::Box { low, .. }) = &wall.shape;
+        y < low[1]
+    });
+    file.scene.dimension == Dimension::Two || (is_floor && !from_below)
+}
+
+/// What colours the particles.
+fn colouring(file: &SceneFile, beads: &[Bead]) -> Colouring {
+    let numbers =
+        |of: fn(&Bead) -> f32, range, label| Colouring::Numbers { of: beads.iter().map(of).collect(), range, label };
+    match file.shade {
+        Shade::Speed(low, high) => numbers(|bead| bead.speed, [low, high], "speed, m/s"),
+        Shade::Density(low, high) => numbers(|bead| bead.density, [low, high], "density, kg/m3"),
+        Shade::Fluid => {
+            let swatch =
+                |(number, fluid): (usize, &Fluid)| Swatch::new(format!("fluid {number}"), number, fluid.colour);
+            Colouring::Kinds {
+                of: beads.iter().map(|bead| bead.fluid).collect(),
+                key: file.scene.fluids().enumerate().map(swatch).collect(),
+            }
+        }
+    }
 }
 
 /// The box that a picture frames: the container, or a little more than the blocks at the start.

@@ -1,6 +1,6 @@
 //! Memory for a scene of any size, from the heap. An embedder with a fixed capacity uses `Storage` instead.
-use millpond_core::layout::{TABLE_WORDS, f32x4};
-use millpond_core::memory::{LIST_ENTRIES, Scratch, State};
+use millpond_core::layout::{TABLE_WORDS, f32x4, u32x2, u32x4};
+use millpond_core::memory::{LIST_ENTRIES, Scratch, Springs, State};
 use millpond_core::scene::Scene;
 use millpond_core::{Memory, Needs};
 
@@ -19,6 +19,10 @@ pub struct Heap {
     heat: [Vec<f32x4>; 2],
     previous: Vec<f32x4>,
     free: Vec<f32x4>,
+    normal: [Vec<f32x4>; 2],
+    springs_of: Vec<u32x4>,
+    spring_ends: [Vec<u32x2>; 2],
+    slot_of: Vec<u32>,
     tables: Vec<f32>,
     field: Vec<f32x4>,
 }
@@ -33,7 +37,9 @@ impl Heap {
     /// For these needs.
     #[must_use]
     pub fn with(needs: Needs) -> Heap {
-        let Needs { particles: n, cells, places, smoothing, heat, previous, free, tables, nodes } = needs;
+        let Needs { particles: n, cells, places, smoothing, heat, previous, free, tables, nodes, .. } = needs;
+        let Needs { normals, springs, spring_ends, plastic, .. } = needs;
+        let sprung = if springs { n } else { 0 };
         let if_needed = |needed: bool| vec![[0.0; 4]; if needed { n } else { 0 }];
         let state = || [(); 4].map(|()| vec![[0.0; 4]; n]);
         Heap {
@@ -49,6 +55,10 @@ impl Heap {
             heat: [if_needed(heat), if_needed(heat)],
             previous: if_needed(previous),
             free: if_needed(free),
+            normal: [if_needed(normals), if_needed(normals)],
+            springs_of: vec![[0; 4]; sprung],
+            spring_ends: [vec![[0; 2]; spring_ends], vec![[0; 2]; if plastic { spring_ends } else { 0 }]],
+            slot_of: vec![0; sprung],
             tables: vec![0.0; if tables { TABLE_WORDS } else { 0 }],
             field: vec![[0.0; 4]; nodes],
         }
@@ -63,8 +73,12 @@ impl Heap {
         let grid_cells = self.grid_cells.as_mut_slice();
         let [smoothing, other_smoothing] = self.smoothing.each_mut().map(Vec::as_mut_slice);
         let [heat, other_heat] = self.heat.each_mut().map(Vec::as_mut_slice);
+        let [normal, other_normal] = self.normal.each_mut().map(Vec::as_mut_slice);
         Memory {
-            states: [state(first, smoothing, heat, first_id), state(second, other_smoothing, other_heat, second_id)],
+            states: [
+                state(first, [smoothing, heat, normal], first_id),
+                state(second, [other_smoothing, other_heat, other_normal], second_id),
+            ],
             slot: &mut self.slot,
             scratch: Scratch {
                 cell,
@@ -77,7 +91,9 @@ impl Heap {
                 grid_cells,
                 previous: &mut self.previous,
                 free: &mut self.free,
+                slot_of: &mut self.slot_of,
             },
+            springs: Springs { of: &mut self.springs_of, ends: self.spring_ends.each_mut().map(Vec::as_mut_slice) },
             tables: &mut self.tables,
             field: &mut self.field,
         }
@@ -86,10 +102,9 @@ impl Heap {
 
 fn state<'m>(
     vectors: &'m mut [Vec<f32x4>; 4],
-    smoothing: &'m mut [f32x4],
-    heat: &'m mut [f32x4],
+    [smoothing, heat, normal]: [&'m mut [f32x4]; 3],
     id: &'m mut [u32],
 ) -> State<'m> {
     let [position, velocity, acceleration, density_pressure] = vectors.each_mut().map(Vec::as_mut_slice);
-    State { position, velocity, acceleration, density_pressure, smoothing, heat, id }
+    State { position, velocity, acceleration, density_pressure, smoothing, heat, normal, id }
 }

@@ -132,6 +132,10 @@ pub fn view(named: &Named, pool: &Pool, steps: u32) -> Result<PlanView, Failure>
 
 /// Memory that something left out would take.
 fn bytes_saved(scene: &Scene, needs: Needs, what: &str) -> usize {
+    // of a scene that has none, as many springs as its blocks would have, were they elastic
+    let mut elastic = scene.clone();
+    std::iter::once(&mut elastic.fluid).chain(&mut elastic.other_fluids).for_each(|f| f.elastic_stiffness = 1.0);
+    let ends = elastic.spring_ends();
     let with = match what {
         "cell lists" => Needs { places: Needs::of(&with_lists(scene)).places, ..needs },
         "XSPH" => Needs { smoothing: true, ..needs },
@@ -139,6 +143,9 @@ fn bytes_saved(scene: &Scene, needs: Needs, what: &str) -> usize {
         "variable support" => Needs { previous: true, ..needs },
         "pressure correction" => Needs { previous: true, free: true, ..needs },
         "kernel tables" => Needs { tables: true, ..needs },
+        "normals" => Needs { normals: true, ..needs },
+        "elasticity" => Needs { springs: true, spring_ends: ends, ..needs },
+        "plasticity" => Needs { plastic: true, spring_ends: ends, springs: true, ..needs },
         _ => needs,
     };
     with.bytes() - needs.bytes()

@@ -37,7 +37,7 @@ pub enum Camera {
     },
 }
 
-/// What colours a particle, and the values at the two ends of the colours.
+/// What colours a particle; of a number, with the values at the two ends of the colours.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum Shade {
@@ -45,6 +45,8 @@ pub enum Shade {
     Speed(f32, f32),
     /// Density, kg/m3.
     Density(f32, f32),
+    /// Which fluid it is of: [`Fluid::colour`](millpond_core::scene::Fluid::colour).
+    Fluid,
 }
 
 /// A scene by the name it was asked for.
@@ -61,8 +63,20 @@ macro_rules! built_in {
 }
 
 /// Name and text of the built-in scenes.
-pub const BUILT_IN: &[(&str, &str)] =
-    built_in!("dam-break", "dam-break-2d", "still-tank", "thesis-cube", "viscosity-cubes", "channel", "stiff-tank");
+pub const BUILT_IN: &[(&str, &str)] = built_in!(
+    "dam-break",
+    "dam-break-2d",
+    "still-tank",
+    "thesis-cube",
+    "viscosity-cubes",
+    "channel",
+    "stiff-tank",
+    "elastic-cube",
+    "two-fluids",
+    "two-jets",
+    "oil-and-water",
+    "drop",
+);
 
 /// Most memory that a scene is given: 4 GiB, 12 million particles. `compare` holds five of them.
 pub const MOST_BYTES: usize = 1 << 32;

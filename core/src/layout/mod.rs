@@ -18,9 +18,11 @@ pub use tables::{TABLE_ENTRIES, TABLE_WORDS, TABLES, Tables};
 pub type f32x4 = [f32; 4];
 /// Four unsigned integers.
 pub type u32x4 = [u32; 4];
+/// Two unsigned integers.
+pub type u32x2 = [u32; 2];
 /// The penalty walls of a scene: normal and offset of each plane.
 pub type Planes = [f32x4; PLANES];
-/// The kinds of particle of a scene.
+/// Constants of the kinds of particle of a scene.
 pub type Kinds = [f32x4; SPECIES];
 
 /// Threads of a work group on a GPU.

@@ -50,6 +50,20 @@ shared! {
         pub masses: u32,
         /// 1: particles differ in kind: walls, or fluids of several viscosities.
         pub species: u32,
+        /// 1: there are several fluids.
+        pub fluids: u32,
+        /// 1: their equations of state differ.
+        pub states: u32,
+        /// 1: volumes come from the number density, where the density does not.
+        pub numbers: u32,
+        /// [`terms::tension`](crate::terms::tension); 0: none.
+        pub tension: u32,
+        /// 1: normals are found.
+        pub normals: u32,
+        /// 1: springs join particles.
+        pub springs: u32,
+        /// 1: their lengths at rest change.
+        pub plastic: u32,
         /// 1: thermal energy is kept account of.
         pub thermal_energy: u32,
         /// 1: particles move with their neighbours.
@@ -65,14 +79,20 @@ impl Model {
     /// Does a step need what the particles' quantities were before it?
     #[must_use]
     pub fn needs_previous(&self) -> bool {
-        use crate::terms::{density::CONTINUITY, state::PRESSURE_CORRECTION};
-        self.density == CONTINUITY || self.equation_of_state == PRESSURE_CORRECTION || self.variable_support == 1
+        crate::terms::density::is_stepped(self) || self.corrects_pressure() || self.variable_support == 1
     }
 
     /// Is pressure iterated?
     #[must_use]
     pub fn corrects_pressure(&self) -> bool {
         self.equation_of_state == crate::terms::state::PRESSURE_CORRECTION
+    }
+
+    /// Does a surface pull by its curvature?
+    #[must_use]
+    pub fn has_curvature(&self) -> bool {
+        use crate::terms::tension::{CURVATURE, NORMAL_CURVATURE};
+        self.tension == CURVATURE || self.tension == NORMAL_CURVATURE
     }
 
     /// Are kernels read from tables?
@@ -93,6 +113,7 @@ impl Model {
     #[must_use]
     pub(crate) fn plain(&self) -> Model {
         use crate::terms::viscosity::{MUELLER_VISCOSITY, NO_VISCOSITY};
+        // curvature acts in passes of its own
         Model {
             evaluation: 0,
             density: 0,
@@ -105,6 +126,10 @@ impl Model {
             variable_support: 0,
             masses: 0,
             species: 0,
+            fluids: 0,
+            states: 0,
+            numbers: 0,
+            tension: if self.has_curvature() { self.tension } else { 0 },
             ..*self
         }
     }

@@ -4,8 +4,8 @@ use super::{Kinds, Planes, f32x4, shared, u32x4};
 /// Penalty walls that a scene can have.
 pub const PLANES: usize = 6;
 
-/// Kinds of particle that a scene can have: the fluid, blocks of another viscosity, walls.
-pub const SPECIES: usize = 25;
+/// Kinds of particle that a scene can have: [`Kind`](crate::scene::Kind) says which.
+pub const SPECIES: usize = 33;
 
 shared! {
     /// What every pass reads. SI units, as in 3D; in 2D masses are per metre of depth, and constants of kernels have one
@@ -33,8 +33,14 @@ shared! {
         pub field_counts: u32x4,
         /// Penalty walls: inward unit normal, and offset along it in m.
         pub planes: Planes,
-        /// Kinds of particle: dynamic viscosity in Pa s, 1 for a wall; z and w unused.
+        /// Kinds of particle: dynamic viscosity in Pa s, 1 for a wall, rest density over the first fluid's, number of the fluid.
         pub species: Kinds,
+        /// Constant of the equation of state, near pressure at rest (thesis) or over the near sum (article), both in Pa, speed
+        /// of sound in m/s, number of the equation.
+        pub states: Kinds,
+        /// Change of pressure for a density that is off by all of itself, in Pa, one over it, `1 / (rho0 c0^2)` in 1/Pa, surface
+        /// tension.
+        pub corrections: Kinds,
         /// Particles in all.
         pub particle_count: u32,
         /// Penalty walls in use.
@@ -57,14 +63,12 @@ shared! {
         pub half_time_step: f32,
         /// One over it, 1/s.
         pub inverse_time_step: f32,
-        /// Mass of a particle, kg.
+        /// Mass of a particle of the first fluid, kg.
         pub particle_mass: f32,
         /// Volume of a particle at rest, m3.
         pub rest_volume: f32,
-        /// Density at rest, kg/m3.
+        /// Density of the first fluid at rest, kg/m3.
         pub rest_density: f32,
-        /// Speed of sound at rest, m/s.
-        pub speed_of_sound: f32,
         /// What makes a sum over the density kernel a share of the rest density.
         pub density_constant: f32,
         /// What makes a sum over the pressure kernel's slope a rate of the deviation: mass over rest density, times the
@@ -74,22 +78,28 @@ shared! {
         pub pressure_constant: f32,
         /// Constant of the near kernel's slope, 1/m4.
         pub near_constant: f32,
-        /// Near pressure of the thesis at rest, Pa.
-        pub near_pressure_at_rest: f32,
-        /// Near pressure of the article over the near sum, Pa.
-        pub near_density_constant: f32,
         /// Constant of the viscosity kernel's slope, 1/m4.
         pub viscosity_slope_constant: f32,
         /// Constant of the viscosity kernel's Laplacian, 1/m5.
         pub viscosity_laplacian_constant: f32,
-        /// Tait: `rho0 c0^2 / 7`. Else `rho0 c0^2`. Pa.
-        pub state_stiffness: f32,
-        /// Change of pressure for a density that is off by all of itself, Pa.
-        pub correction_stiffness: f32,
-        /// One over it, 1/Pa.
-        pub inverse_correction_stiffness: f32,
-        /// `1 / (rho0 c0^2)`, 1/Pa.
-        pub compressibility: f32,
+        /// Constant of the density kernel, 1/m3, as it measures colours.
+        pub colour_constant: f32,
+        /// Of its slope, 1/m4.
+        pub colour_slope_constant: f32,
+        /// Of its Laplacian, 1/m5.
+        pub colour_laplacian_constant: f32,
+        /// That Laplacian at no distance, without the constant.
+        pub colour_curvature_at_self: f32,
+        /// Length of a normal from which on a particle is at the surface, 1/m.
+        pub surface_threshold: f32,
+        /// Directions along a surface, d - 1.
+        pub surface_directions: f32,
+        /// Strain that a spring bears without giving way.
+        pub yield_strain: f32,
+        /// Share of the strain beyond it that is lost in a step.
+        pub plastic_share: f32,
+        /// Length of a spring at which it breaks, over its length at rest.
+        pub breaking_stretch: f32,
         /// Share of the deviation of density that a step is to mend.
         pub correction_source: f32,
         /// Largest density miss at which iterations end.
@@ -116,6 +126,10 @@ shared! {
         pub slip: f32,
         /// Unused.
         pub pad0: u32,
+        /// Unused.
+        pub pad1: u32,
+        /// Unused.
+        pub pad2: u32,
     }
 }
 

@@ -1,8 +1,8 @@
 //! What the pair passes read of particles, and how it gets into the lanes.
-use super::{Setup, kind, load, load_one};
+use super::{Setup, is_wall, kind, load, load_one, row_of};
 use crate::arithmetic::real::{Real, real, vec3};
-use crate::layout::f32x4;
-use crate::terms::pair::Local;
+use crate::layout::{Kinds, f32x4};
+use crate::terms::pair::{Local, Stiffness};
 
 /// The arrays that pairs are made of.
 #[derive(Clone, Copy)]
@@ -26,12 +26,7 @@ impl Particles<'_> {
         let none = real::<R>(0.0);
         let [deviation, pressure, near_pressure, volume] =
             if known { [of(0), of(1), of(2), of(3)] } else { [none, none, none, none] };
-        let (viscosity, wall) = if setup.model.species == 1 {
-            let kind = |lane: usize| kind(p, self.velocity[(first + lane).min(last)][3]);
-            (R::from_lanes(|lane| kind(lane)[0]), R::from_lanes(|lane| kind(lane)[1]))
-        } else {
-            (real(p.species[0][0]), real(0.0))
-        };
+        let row = |rows: &Kinds, i: usize| row_of::<R>(setup.model, rows, self.velocity, first, last, i);
         Local {
             position: load(self.position, first, last),
             velocity: load(self.velocity, first, last),
@@ -41,8 +36,27 @@ impl Particles<'_> {
             pressure,
             near_pressure,
             volume,
-            viscosity,
-            wall,
+            viscosity: row(&p.species, 0),
+            wall: row(&p.species, 1),
+            rest: row(&p.species, 2),
+            fluid: row(&p.species, 3),
+            sound: row(&p.states, 2),
+            equation: row(&p.states, 3),
+            tension: row(&p.corrections, 3),
+        }
+    }
+
+    /// What closes the density of particles `first ..= last`.
+    #[inline(always)]
+    pub(super) fn stiffness<R: Real>(&self, setup: &Setup<'_>, first: usize, last: usize) -> Stiffness<R> {
+        let p = setup.parameters;
+        let row = |rows: &Kinds, i: usize| row_of::<R>(setup.model, rows, self.velocity, first, last, i);
+        Stiffness {
+            state: row(&p.states, 0),
+            near: row(&p.states, 1),
+            correction: row(&p.corrections, 0),
+            inverse_correction: row(&p.corrections, 1),
+            compressibility: row(&p.corrections, 2),
         }
     }
 
@@ -53,7 +67,9 @@ impl Particles<'_> {
         let x = self.position[b];
         let v = self.velocity[b];
         let [deviation, pressure, near_pressure, volume] = self.density_pressure.get(b).copied().unwrap_or_default();
-        let [viscosity, wall, ..] = if setup.model.species == 1 { kind(p, v[3]) } else { p.species[0] };
+        let kind = if setup.model.species == 1 { kind(v[3]) } else { 0 };
+        let [viscosity, wall, rest, fluid] = p.species[kind].map(real);
+        let [.., sound, equation] = p.states[kind].map(real);
         Local {
             position: vec3::splat(x),
             velocity: vec3::splat(v),
@@ -63,15 +79,19 @@ impl Particles<'_> {
             pressure: real(pressure),
             near_pressure: real(near_pressure),
             volume: real(volume),
-            viscosity: real(viscosity),
-            wall: real(wall),
+            viscosity,
+            wall,
+            rest,
+            fluid,
+            sound,
+            equation,
+            tension: real(p.corrections[kind][3]),
         }
     }
 
     /// Are all particles `first ..= last` walls'? Nothing acts on those.
     #[inline(always)]
     pub(super) fn are_walls(&self, setup: &Setup<'_>, first: usize, last: usize) -> bool {
-        setup.model.wall_particles != 0
-            && self.velocity[first..=last].iter().all(|v| kind(setup.parameters, v[3])[1] > 0.0)
+        setup.model.wall_particles != 0 && self.velocity[first..=last].iter().all(|v| is_wall(setup.parameters, v[3]))
     }
 }

@@ -13,18 +13,21 @@ pub(crate) mod p07_gather;
 pub(crate) mod p08_support;
 pub(crate) mod p09_density;
 pub(crate) mod p10_force;
-pub(crate) mod p11_pressure_force;
-pub(crate) mod p12_pressure_correct;
-pub(crate) mod p13_pressure_settle;
-pub(crate) mod p14_heat;
-pub(crate) mod p15_smooth;
-pub(crate) mod p16_integrate_after;
-pub(crate) mod p17_commit;
+pub(crate) mod p11_normals;
+pub(crate) mod p12_tension;
+pub(crate) mod p13_springs;
+pub(crate) mod p14_pressure_force;
+pub(crate) mod p15_pressure_correct;
+pub(crate) mod p16_pressure_settle;
+pub(crate) mod p17_heat;
+pub(crate) mod p18_smooth;
+pub(crate) mod p19_integrate_after;
+pub(crate) mod p21_commit;
 pub(crate) mod pairs;
 
 use crate::arithmetic::level::Simd;
-use crate::arithmetic::real::{Real, vec3};
-use crate::layout::{Model, Parameters, SPECIES, Tables, f32x4};
+use crate::arithmetic::real::{Real, real, vec3};
+use crate::layout::{Kinds, Model, Parameters, SPECIES, Tables, f32x4};
 
 /// What every pass is told.
 #[derive(Clone, Copy)]
@@ -36,10 +39,25 @@ pub(crate) struct Setup<'a> {
     pub simd: Simd,
 }
 
-/// The kind of a particle: dynamic viscosity, and 1 for a wall's. `w` is the fourth number of its velocity.
+/// The kind of a particle; `w` is the fourth number of its velocity.
 #[inline(always)]
-fn kind(p: &Parameters, w: f32) -> f32x4 {
-    p.species[(w as usize).min(SPECIES - 1)]
+fn kind(w: f32) -> usize {
+    (w as usize).min(SPECIES - 1)
+}
+
+/// Does a particle belong to a wall, or is it air that is not there? Nothing acts on those.
+#[inline(always)]
+fn is_wall(p: &Parameters, w: f32) -> bool {
+    p.species[kind(w)][1] > 0.0
+}
+
+/// Number `i` of the rows of particles `first ..= last` in the lanes: what their kinds have of their own.
+#[inline(always)]
+fn row_of<R: Real>(m: &Model, rows: &Kinds, velocity: &[f32x4], first: usize, last: usize, i: usize) -> R {
+    if m.species == 0 {
+        return real(rows[0][i]);
+    }
+    R::from_lanes(|lane| rows[kind(velocity[(first + lane).min(last)][3])][i])
 }
 
 /// Particles `first ..= last` in the lanes, the last one repeated to fill up.
@@ -53,12 +71,6 @@ fn load<R: Real>(array: &[f32x4], first: usize, last: usize) -> vec3<R> {
 #[inline(always)]
 fn load_one<R: Real>(array: &[f32x4], first: usize, last: usize, i: usize) -> R {
     R::from_lanes(|lane| array[(first + lane).min(last)][i])
-}
-
-/// 1 in the lanes of walls' particles, by their velocities.
-#[inline(always)]
-fn load_wall<R: Real>(p: &Parameters, velocity: &[f32x4], first: usize, last: usize) -> R {
-    R::from_lanes(|lane| kind(p, velocity[(first + lane).min(last)][3])[1])
 }
 
 /// The lanes into as many entries as there are, w = 0.

@@ -2,7 +2,7 @@
 //!
 //! Reads the old state in its slots. The new state's slots are not known yet, so the moved particles wait in two arrays
 //! of the new state that are not in use before `p09_density` and `p10_force` fill them.
-use super::{Setup, load, load_wall, store_xyz};
+use super::{Setup, load, row_of, store_xyz};
 use crate::arithmetic::level::Work;
 use crate::arithmetic::real::{Real, real};
 use crate::executor::{Executor, Jobs, parts, shares, take};
@@ -60,7 +60,7 @@ impl Work for &mut Job<'_> {
                 way = way + load(old.smoothing, first, last);
             }
             if m.wall_particles != 0 {
-                way = if_free(m, way, load_wall(p, old.velocity, first, last));
+                way = if_free(m, way, row_of(m, &p.species, old.velocity, first, last, 1));
             }
             let x = wrap(m, p, drift::<R>(load(old.position, first, last), way, dt));
             let own = first - self.slots.start..end - self.slots.start;

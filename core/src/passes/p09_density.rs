@@ -5,7 +5,7 @@
 //! add exact zeros.
 use super::local::Particles;
 use super::pairs::NOT_LISTED;
-use super::{Setup, load, load_one, load_wall};
+use super::{Setup, kind, load, load_one, row_of};
 use crate::arithmetic::level::Work;
 use crate::arithmetic::real::{Real, less, real, select, vec3};
 use crate::executor::{Executor, Jobs, parts, share_of, take};
@@ -13,13 +13,14 @@ use crate::grid::{Cells, Stencil};
 use crate::layout::{Model, f32x4};
 use crate::terms::correction::pressure_carried;
 use crate::terms::density::{
-    CONTINUITY, continuity_neighbour, deviation_of_sum, deviation_stepped, summed_neighbour, volume_close,
+    continuity_neighbour, deviation_of_sum, deviation_rate, deviation_stepped, is_stepped, number_density_neighbour,
+    summed_neighbour, volume_by_number, volume_close,
 };
 use crate::terms::kernel::if_inside;
 use crate::terms::near::{ARTICLE, near_density_neighbour, near_pressure_close};
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use crate::terms::state::{pressure_close, pressure_of_state};
-use crate::terms::wall::MIRRORED;
+use crate::terms::wall::{MIRRORED, mass_seen};
 use core::ops::Range;
 
 struct Job<'a> {
@@ -74,6 +75,7 @@ struct Near<'a, R> {
     x_a: vec3<R>,
     v_a: vec3<R>,
     support_a: R,
+    rest_a: R,
 }
 
 impl<R: Real> Near<'_, R> {
@@ -91,14 +93,26 @@ impl<R: Real> Near<'_, R> {
         squared_ratio(m, p, x_ab, scale)
     }
 
-    /// What `b` adds to the two sums: of density or its rate, and of the near density.
+    /// Mass of `b`, over that of a particle of the first fluid.
     #[inline(always)]
-    fn add(&self, [sum, near]: [R; 2], b: usize) -> [R; 2] {
+    fn mass(&self, b: usize) -> R {
+        let (m, p) = (self.setup.model, self.setup.parameters);
+        let mass = real(self.particles.position[b][3]);
+        if m.fluids == 0 {
+            return mass;
+        }
+        let [_, wall, rest, _] = p.species[kind(self.particles.velocity[b][3])].map(real);
+        mass_seen(m, self.rest_a, mass, rest, wall)
+    }
+
+    /// What `b` adds to the three sums: of density or its rate, of the near density, of the number density.
+    #[inline(always)]
+    fn add(&self, [sum, mut near, mut number]: [R; 3], b: usize) -> [R; 3] {
         let (m, p, t) = (self.setup.model, self.setup.parameters, self.setup.tables);
         let x_b = self.particles.position[b];
-        let (mass_b, scale) = (real(x_b[3]), self.scale(b));
+        let (mass_b, scale) = (self.mass(b), self.scale(b));
         let q2 = self.q2(b, scale);
-        let added = if m.density == CONTINUITY {
+        let added = if is_stepped(m) {
             // where the pair was in the middle of the step
             let v_ab = self.v_a - vec3::splat(self.particles.velocity[b]);
             let x_ab = separation(m, p, self.x_a, vec3::splat(x_b)) - v_ab * real(p.half_time_step);
@@ -107,9 +121,12 @@ impl<R: Real> Near<'_, R> {
             summed_neighbour(m, t, mass_b, q2, scale)
         };
         if m.near_pressure == ARTICLE {
-            return [sum + added, near + near_density_neighbour(m, mass_b, q2, scale)];
+            near = near + near_density_neighbour(m, mass_b, q2, scale);
         }
-        [sum + added, near]
+        if m.numbers == 1 {
+            number = number + number_density_neighbour(m, t, q2, scale);
+        }
+        [sum + added, near, number]
     }
 }
 
@@ -161,6 +178,7 @@ impl Job<'_> {
                     } else {
                         one
                     },
+                    rest_a: row_of(m, &p.species, particles.velocity, first, end - 1, 2),
                 };
                 // a mirroring wall has no density, and nobody acts on it
                 let asleep = m.wall_particles == MIRRORED && particles.are_walls(&setup, first, end - 1);
@@ -176,7 +194,7 @@ impl Job<'_> {
                     }
                 }
                 let listed = used <= self.list.len();
-                let mut sums = [none, none];
+                let mut sums = [none; 3];
                 let own_list = Stencil::one(begin as u32, used as u32);
                 let walk = if listed { &own_list } else { &stencil };
                 for run in walk.runs().take(if asleep { 0 } else { usize::MAX }) {
@@ -185,27 +203,34 @@ impl Job<'_> {
                         sums = near.add(sums, b);
                     }
                 }
-                let [sum, near_sum] = sums;
+                let [sum, near_sum, number_sum] = sums;
                 let previous = |i| load_one::<R>(particles.previous, first, end - 1, i);
-                let mut deviation = if m.density == CONTINUITY {
-                    deviation_stepped(p, previous(0), sum)
+                let mass = load_one::<R>(particles.position, first, end - 1, 3);
+                let stiffness = particles.stiffness::<R>(&setup, first, end - 1);
+                let mut deviation = if is_stepped(m) {
+                    deviation_stepped(p, previous(0), deviation_rate(m, p, sum, mass, near.rest_a))
                 } else {
-                    deviation_of_sum(p, sum)
+                    deviation_of_sum(m, p, sum, mass, near.rest_a)
                 };
                 let mut pressure = if m.corrects_pressure() {
                     pressure_carried(m, previous(1))
                 } else {
-                    pressure_of_state(m, p, deviation)
+                    let equation = row_of(m, &p.states, particles.velocity, first, end - 1, 3);
+                    pressure_of_state(m, deviation, stiffness.state, equation)
                 };
                 pressure = pressure_close(m, pressure);
-                let mut near_pressure = near_pressure_close(m, p, deviation, near_sum);
+                let mut near_pressure = near_pressure_close(m, deviation, near_sum, stiffness.near);
                 if m.wall_particles == MIRRORED {
-                    let wall = less(none, load_wall::<R>(p, particles.velocity, first, end - 1));
+                    let wall = less(none, row_of(m, &p.species, particles.velocity, first, end - 1, 1));
                     deviation = select(deviation, none, wall);
                     pressure = select(pressure, none, wall);
                     near_pressure = select(near_pressure, none, wall);
                 }
-                let volume = volume_close(p, load_one(particles.position, first, end - 1, 3), deviation);
+                let mut volume = volume_close(p, mass, deviation);
+                if m.numbers == 1 {
+                    let wall = row_of(m, &p.species, particles.velocity, first, end - 1, 1);
+                    volume = volume_by_number(m, p, volume, number_sum, wall);
+                }
                 for (lane, out) in self.out[own..end - self.first_slot].iter_mut().enumerate() {
                     let of = |x: R| x.lane(lane);
                     *out = [of(deviation), of(pressure), of(near_pressure), of(volume)];

@@ -7,6 +7,7 @@ use crate::layout::f32x4;
 use crate::terms::exchange::{exchange_close, exchange_neighbour, exchange_share};
 use crate::terms::external::external_close;
 use crate::terms::neighbour::{acceleration_close, force_neighbour};
+use crate::terms::pair::density_ratio;
 use crate::terms::wall::if_free;
 
 /// What acts on each particle.
@@ -29,7 +30,7 @@ impl PairPass for Force {
         let nothing = vec3(real::<R>(0.0), real(0.0), real(0.0));
         let force =
             fold!(block, nothing, |force, b| force + force_neighbour(m, p, t, a, particles.neighbour(setup, b)));
-        let mut driven = acceleration_close(p, force, a.deviation);
+        let mut driven = acceleration_close(m, p, force, a);
         if m.exchange == 1 {
             let (change, shares) = fold!(block, (nothing, real::<R>(0.0)), |(change, shares), b| {
                 let b = particles.neighbour(setup, b);
@@ -40,7 +41,7 @@ impl PairPass for Force {
         if m.field == 1 {
             driven = driven + field::at(setup, a.position);
         }
-        let acceleration = external_close(m, p, driven, a.velocity, a.deviation);
+        let acceleration = external_close(m, p, driven, a.velocity, density_ratio(m, a.deviation, a.rest));
         store(own, core::hint::black_box(if_free(m, acceleration, a.wall)));
         0
     }

@@ -1,7 +1,8 @@
 //! What makes a scene impossible, said before anything is touched.
-use super::{Container, EquationOfState, Face, GridStructure, NearPressure, Scene, WallShape, lattice, walls};
+use super::{Container, EquationOfState, Face, Fluid, GridStructure, Scene, WallShape, lattice, walls};
 use crate::error::SceneError;
 use crate::guided::{parameters, support_radius};
+use crate::kinds::near_stiffness;
 use crate::lattice_sums::MOST_SPACINGS;
 
 /// Most particles of a scene: an id shares a word with an axis or a quantity in an error report.
@@ -9,6 +10,13 @@ const MOST_PARTICLES: u64 = (1 << 30) - 1;
 
 /// Most nodes of a host's field: 64 MiB.
 const MOST_NODES: u32 = 1 << 22;
+
+/// Name of a field of a fluid.
+macro_rules! field {
+    ($number:expr, $name:literal) => {
+        if $number == 0 { concat!("fluid.", $name) } else { concat!("other_fluids.", $name) }
+    };
+}
 
 impl Scene {
     /// Refuses a scene that cannot run, naming the field and its value.
@@ -21,12 +29,15 @@ impl Scene {
         positive("time_step", self.time_step)?;
         let reach = support_radius(self) / f64::from(self.particle_spacing);
         let sums = self.model.calibrated_mass || self.model.equation_of_state == EquationOfState::PressureCorrection;
-        if (sums || !self.walls.is_empty()) && reach > MOST_SPACINGS {
+        let elastic = self.fluids().any(|fluid| fluid.elastic_stiffness > 0.0);
+        if (sums || elastic || !self.walls.is_empty()) && reach > MOST_SPACINGS {
             return Err(SceneError::OutOfScale { field: "average_neighbours", value: self.average_neighbours });
         }
         finite("gravity", &self.gravity)?;
         self.check_surroundings()?;
-        self.check_fluid()?;
+        (0..).zip(self.fluids()).try_for_each(check_fluid)?;
+        self.check_surface()?;
+        self.check_elasticity()?;
         self.check_blocks()?;
         self.check_container()?;
         self.check_periodic()?;
@@ -40,16 +51,21 @@ impl Scene {
             let fine = derived.iter().all(|d| d.is_finite() && *d > 0.0);
             if fine { Ok(()) } else { Err(SceneError::OutOfScale { field, value }) }
         };
-        scale("fluid.speed_of_sound", self.fluid.speed_of_sound, &[derived.state_stiffness])?;
-        scale("fluid.speed_of_sound", self.fluid.speed_of_sound, &[derived.compressibility])?;
-        if self.model.near_pressure == NearPressure::Thesis && self.fluid.near_stiffness.is_none() {
-            scale("fluid.speed_of_sound", self.fluid.speed_of_sound, &[derived.near_pressure_at_rest])?;
+        for (number, fluid) in self.fluids().enumerate() {
+            let [state, near, ..] = derived.states[number];
+            let [correction, inverse_correction, compressibility, _] = derived.corrections[number];
+            scale(field!(number, "speed_of_sound"), fluid.speed_of_sound, &[state, compressibility])?;
+            if !near.is_finite() || (near == 0.0 && near_stiffness(self, fluid) > 0.0) {
+                let (field, value) = match fluid.near_stiffness {
+                    Some(stiffness) => (field!(number, "near_stiffness"), stiffness),
+                    None => (field!(number, "speed_of_sound"), fluid.speed_of_sound),
+                };
+                return Err(SceneError::OutOfScale { field, value });
+            }
+            scale("time_step", self.time_step, &[correction, inverse_correction])?;
+            scale(field!(number, "rest_density"), fluid.rest_density, &[derived.species[number][2]])?;
         }
-        if !derived.near_pressure_at_rest.is_finite() || !derived.near_density_constant.is_finite() {
-            let value = self.fluid.near_stiffness.unwrap_or(self.fluid.speed_of_sound);
-            return Err(SceneError::OutOfScale { field: "fluid.near_stiffness", value });
-        }
-        scale("time_step", self.time_step, &[derived.inverse_time_step, derived.correction_stiffness])?;
+        scale("time_step", self.time_step, &[derived.inverse_time_step])?;
         scale("fluid.rest_density", self.fluid.rest_density, &[derived.particle_mass])?;
         let of_length = [
             derived.density_constant,
@@ -90,22 +106,31 @@ impl Scene {
         Ok(())
     }
 
-    fn check_fluid(&self) -> Result<(), SceneError> {
-        let fluid = &self.fluid;
-        positive("fluid.rest_density", fluid.rest_density)?;
-        positive("fluid.speed_of_sound", fluid.speed_of_sound)?;
-        if let Some(stiffness) = fluid.stiffness {
-            positive("fluid.stiffness", stiffness)?;
+    fn check_surface(&self) -> Result<(), SceneError> {
+        positive("model.surface_threshold", self.model.surface_threshold)?;
+        let Some(air) = &self.air else { return Ok(()) };
+        known_fluid(self, "air.fluid", air.fluid)?;
+        positive("air.threshold", air.threshold)?;
+        share("air.minimum_density", air.minimum_density)
+    }
+
+    fn check_elasticity(&self) -> Result<(), SceneError> {
+        let elasticity = &self.elasticity;
+        positive("elasticity.reach", elasticity.reach)?;
+        if let Some(plasticity) = elasticity.plasticity {
+            positive("elasticity.plasticity.rate", plasticity.rate)?;
+            not_negative("elasticity.plasticity.yield_strain", plasticity.yield_strain)?;
+            // a length that gave way by more than all of the strain would turn round
+            let most = 1.0 / self.time_step;
+            if plasticity.rate > most {
+                let (field, value) = ("elasticity.plasticity.rate", plasticity.rate);
+                return Err(SceneError::OutOfBounds { field, value, least: 0.0, most });
+            }
         }
-        not_negative("fluid.dynamic_viscosity", fluid.dynamic_viscosity)?;
-        not_negative("fluid.alpha", fluid.alpha)?;
-        not_negative("fluid.beta", fluid.beta)?;
-        share("fluid.velocity_exchange", fluid.velocity_exchange)?;
-        share("fluid.radial_exchange", fluid.radial_exchange)?;
-        share("fluid.xsph", fluid.xsph)?;
-        not_negative("fluid.near_stiffness", fluid.near_stiffness.unwrap_or(0.0))?;
-        share("fluid.heat_gain", fluid.heat_gain)?;
-        not_negative("fluid.thermal_energy", fluid.thermal_energy)
+        match elasticity.break_at {
+            Some(stretch) => positive("elasticity.break_at", stretch),
+            None => Ok(()),
+        }
     }
 
     fn check_blocks(&self) -> Result<(), SceneError> {
@@ -115,6 +140,7 @@ impl Scene {
             finite("blocks.velocity", &b.velocity)?;
             not_negative("blocks.jitter", b.jitter)?;
             not_negative("blocks.dynamic_viscosity", b.dynamic_viscosity.unwrap_or(0.0))?;
+            known_fluid(self, "blocks.fluid", b.fluid)?;
             let counts = lattice::counts(b, self);
             for (axis, (&size, count)) in b.size.iter().zip(counts).enumerate().take(self.dimension.count()) {
                 positive("blocks.size", size)?;
@@ -190,6 +216,7 @@ impl Scene {
         let mut particles = self.fluid_count() as u64;
         for (wall, w) in self.walls.iter().enumerate() {
             finite("walls.velocity", &w.velocity)?;
+            known_fluid(self, "walls.fluid", w.fluid)?;
             not_negative("walls.dynamic_viscosity", w.dynamic_viscosity.unwrap_or(0.0))?;
             let (low, high) = match &w.shape {
                 WallShape::Plane { low, high, .. } | WallShape::Box { low, high, .. } => (low, high),
@@ -249,6 +276,35 @@ impl Scene {
         }
         Ok(())
     }
+}
+
+fn check_fluid((number, fluid): (u32, &Fluid)) -> Result<(), SceneError> {
+    positive(field!(number, "rest_density"), fluid.rest_density)?;
+    positive(field!(number, "speed_of_sound"), fluid.speed_of_sound)?;
+    if let Some(neighbours) = fluid.average_neighbours {
+        positive(field!(number, "average_neighbours"), neighbours)?;
+    }
+    if let Some(stiffness) = fluid.stiffness {
+        positive(field!(number, "stiffness"), stiffness)?;
+    }
+    not_negative(field!(number, "dynamic_viscosity"), fluid.dynamic_viscosity)?;
+    not_negative(field!(number, "surface_tension"), fluid.surface_tension)?;
+    not_negative(field!(number, "elastic_stiffness"), fluid.elastic_stiffness)?;
+    not_negative(field!(number, "alpha"), fluid.alpha)?;
+    not_negative(field!(number, "beta"), fluid.beta)?;
+    share(field!(number, "velocity_exchange"), fluid.velocity_exchange)?;
+    share(field!(number, "radial_exchange"), fluid.radial_exchange)?;
+    share(field!(number, "xsph"), fluid.xsph)?;
+    not_negative(field!(number, "near_stiffness"), fluid.near_stiffness.unwrap_or(0.0))?;
+    share(field!(number, "heat_gain"), fluid.heat_gain)?;
+    not_negative(field!(number, "thermal_energy"), fluid.thermal_energy)?;
+    fluid.colour.iter().flatten().try_for_each(|&colour| share(field!(number, "colour"), colour))
+}
+
+/// Refuses the number of a fluid that the scene has not.
+fn known_fluid(scene: &Scene, field: &'static str, fluid: u32) -> Result<(), SceneError> {
+    let fluids = scene.fluids().count() as u32;
+    if fluid < fluids { Ok(()) } else { Err(SceneError::NoSuchFluid { field, fluid, fluids }) }
 }
 
 /// Refuses more particles than a status word can name.

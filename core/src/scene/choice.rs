@@ -1,6 +1,6 @@
 //! Every choice between formulas or structures that a scene can make. The numbers of those that a term compares are the
 //! term's own, and so are their names.
-use crate::terms::{correction, density, kernel, near, pressure, state, table, viscosity, wall};
+use crate::terms::{correction, density, kernel, near, pressure, state, table, tension, viscosity, wall};
 
 /// A choice between terms: its variants with the term's number and the names of what it computes.
 macro_rules! choice {
@@ -65,6 +65,11 @@ choice! {
         Continuity = density::CONTINUITY => &["continuity_neighbour"],
         /// `n_a = sum W_ab`, particles per volume (S4; S0 eq. 3.1).
         NumberDensity = density::NUMBER_DENSITY => &["number_density_neighbour"],
+        /// `rho_a = m_a sum W_ab` (Solenthaler and Pajarola 2008; S0 eq. 3.5): as if all neighbours were of the particle's own
+        /// fluid, so that no density is smeared across an interface.
+        SummationAdapted = density::SUMMATION_ADAPTED => &["number_density_neighbour"],
+        /// `d rho_a / dt = m_a sum (v_a - v_b) . grad W_ab` (S0 section 4.1.2 per errata): the same, stepped.
+        ContinuityAdapted = density::CONTINUITY_ADAPTED => &["continuity_neighbour"],
     }
 }
 
@@ -96,6 +101,11 @@ choice! {
         Difference = pressure::DIFFERENCE => &["pressure_difference"],
         /// The symmetric gradient on the number density (S4 table 2): needs [`DensityForm::NumberDensity`].
         NumberDensity = pressure::NUMBER_DENSITY_FORCE => &["pressure_number_density"],
+        /// Mueller's on the number density `delta` (Solenthaler and Pajarola 2008; S0 eq. 3.6 per errata): with it, a
+        /// particle's volume is `1 / delta` in every term.
+        MuellerAdapted = pressure::MUELLER_ADAPTED => &["pressure_mueller"],
+        /// Monaghan's on the number density (S0 section 4.1.2 per errata), likewise.
+        MonaghanAdapted = pressure::MONAGHAN_ADAPTED => &["pressure_number_density"],
     }
 }
 
@@ -124,6 +134,30 @@ choice! {
         Dotted = viscosity::DOTTED => &["viscosity_dotted"],
         /// S4's exchange of velocity: `fluid.velocity_exchange`, a share a step.
         Exchange = viscosity::EXCHANGE => &["exchange_neighbour"],
+        /// Mueller's on the number density (Solenthaler and Pajarola 2008; S0 eq. 3.7 per errata): needs a density or a
+        /// pressure force that is adapted too.
+        MuellerAdapted = viscosity::MUELLER_ADAPTED_VISCOSITY => &["viscosity_mueller"],
+    }
+}
+
+choice! {
+    /// How the surface of a fluid pulls itself together: [`Fluid::surface_tension`](super::Fluid::surface_tension).
+    pub enum SurfaceTension {
+        /// Not at all.
+        Off = tension::NO_TENSION => &[],
+        /// By the curvature of its colour, `-laplacian C / |n|` (Morris 1999, Mueller et al. 2003; S0 eqs. 3.8 to 3.11): its
+        /// tension is a tension, in N/m, where there is another fluid beyond the surface. In nothing half of the colour's
+        /// profile is missing.
+        Curvature = tension::CURVATURE => &["colour_gradient", "colour_laplacian", "curvature_of_colour", "tension_close"],
+        /// By the divergence of its unit normals (Morris 2000): the same, and the better curvature where there is nothing
+        /// beyond the surface.
+        NormalCurvature = tension::NORMAL_CURVATURE =>
+            &["colour_gradient", "normal_divergence", "curvature_of_normals", "tension_close"],
+        /// By attraction between its particles (Becker and Teschner 2007; S0 eq. 3.12 per errata): a coefficient whose
+        /// tension is to be measured.
+        Attraction = tension::ATTRACTION => &["attraction"],
+        /// By the sum of kernel gradients (S1 section 6.4): likewise.
+        GradientSum = tension::GRADIENT_SUM => &["gradient_sum"],
     }
 }
 

@@ -1,8 +1,8 @@
 //! Choices that do not go together, refused by name before anything is touched.
 use super::check::positive;
 use super::{
-    Correction, DensityForm, EquationOfState, Evaluation, Iteration, Kernel, NearPressure, PressureForce, Scene,
-    Viscosity, WallPressure,
+    Correction, DensityForm, EquationOfState, Evaluation, Fluid, Iteration, Kernel, NearPressure, PressureForce, Scene,
+    SurfaceTension, Viscosity, WallPressure,
 };
 use crate::error::SceneError;
 
@@ -16,6 +16,8 @@ impl Scene {
         self.check_pressure()?;
         self.check_correction()?;
         self.check_support()?;
+        self.check_fluids()?;
+        self.check_tension()?;
         let model = &self.model;
         let one_sided = matches!(model.pressure_force, PressureForce::Canonical | PressureForce::Difference);
         if model.thermal_energy && one_sided {
@@ -28,14 +30,15 @@ impl Scene {
         if self.ambient_density > 0.0 && self.gravity == [0.0; 3] {
             return Err(not_together("ambient_density", "no gravity", "nothing would be buoyant"));
         }
-        if model.hydrostatic_start && model.equation_of_state == EquationOfState::IdealGas {
+        let gas = |fluid: &Fluid| self.equation_of(fluid) == EquationOfState::IdealGas;
+        if model.hydrostatic_start && self.fluids().any(gas) {
             return Err(not_together(
                 "model.hydrostatic_start",
-                "model.equation_of_state IdealGas",
+                "an equation_of_state IdealGas",
                 "a gas has no surface to measure depth from",
             ));
         }
-        if model.hydrostatic_start && self.ambient_density >= self.fluid.rest_density {
+        if model.hydrostatic_start && self.fluids().any(|fluid| self.ambient_density >= fluid.rest_density) {
             return Err(not_together(
                 "model.hydrostatic_start",
                 "an ambient_density as large as the fluid's",
@@ -67,7 +70,7 @@ impl Scene {
             }
             let endless = model.pressure_kernel == Kernel::Viscosity
                 || match model.viscosity {
-                    Viscosity::Mueller => {
+                    Viscosity::Mueller | Viscosity::MuellerAdapted => {
                         model.viscosity_kernel.is_cusped() && model.viscosity_kernel != Kernel::Viscosity
                     }
                     Viscosity::Exchange => false,
@@ -109,14 +112,16 @@ impl Scene {
                 "masses that differ change no number",
             ));
         }
-        if self.fluid.stiffness.is_some() && model.equation_of_state != EquationOfState::Tait {
+        let unused = |fluid: &Fluid| fluid.stiffness.is_some() && self.equation_of(fluid) != EquationOfState::Tait;
+        if self.fluids().any(unused) {
             return Err(not_together(
                 "fluid.stiffness",
-                "a model.equation_of_state other than Tait",
+                "an equation_of_state other than Tait",
                 "it is the constant of that equation",
             ));
         }
-        if model.near_pressure == NearPressure::Off && self.fluid.near_stiffness.is_some_and(|k| k > 0.0) {
+        let stiff = |fluid: &Fluid| fluid.near_stiffness.is_some_and(|k| k > 0.0);
+        if model.near_pressure == NearPressure::Off && self.fluids().any(stiff) {
             return Err(not_together("fluid.near_stiffness", "model.near_pressure Off", "nothing would use it"));
         }
         Ok(())
@@ -135,16 +140,86 @@ impl Scene {
         if self.model.equation_of_state != EquationOfState::PressureCorrection {
             return Ok(());
         }
-        if !matches!(self.model.pressure_force, PressureForce::Monaghan | PressureForce::Difference) {
+        let iterated = [PressureForce::Monaghan, PressureForce::MonaghanAdapted, PressureForce::Difference];
+        if !iterated.contains(&self.model.pressure_force) {
             return Err(not_together(
                 "model.equation_of_state PressureCorrection",
-                "a model.pressure_force other than Monaghan or Difference",
-                "its iteration is one of these two (S0 section 3.2.2)",
+                "a model.pressure_force other than Monaghan, MonaghanAdapted or Difference",
+                "its iteration is one of these (S0 section 3.2.2)",
             ));
         }
-        let spacings = self.fluid.speed_of_sound * self.time_step / self.particle_spacing;
+        let fastest = self.fluids().map(|fluid| fluid.speed_of_sound).fold(0.0, f32::max);
+        let spacings = fastest * self.time_step / self.particle_spacing;
         if iteration == Iteration::Literal && spacings > LITERAL_SPACINGS {
             return Err(SceneError::CannotConverge { spacings, most: LITERAL_SPACINGS });
+        }
+        Ok(())
+    }
+
+    /// How a fluid's pressure follows from its density.
+    fn equation_of(&self, fluid: &Fluid) -> EquationOfState {
+        fluid.equation_of_state.unwrap_or(self.model.equation_of_state)
+    }
+
+    fn check_fluids(&self) -> Result<(), SceneError> {
+        let model = &self.model;
+        let corrects = |equation: EquationOfState| equation == EquationOfState::PressureCorrection;
+        let parted = |fluid: &Fluid| corrects(self.equation_of(fluid)) != corrects(model.equation_of_state);
+        if self.fluids().any(parted) {
+            return Err(not_together(
+                "fluid.equation_of_state",
+                "model.equation_of_state, of which one is PressureCorrection",
+                "pressure is iterated for all fluids or for none",
+            ));
+        }
+        let first = &self.fluid;
+        for fluid in &self.other_fluids {
+            let shared = [
+                ("other_fluids.alpha", fluid.alpha, first.alpha),
+                ("other_fluids.beta", fluid.beta, first.beta),
+                ("other_fluids.velocity_exchange", fluid.velocity_exchange, first.velocity_exchange),
+                ("other_fluids.radial_exchange", fluid.radial_exchange, first.radial_exchange),
+                ("other_fluids.xsph", fluid.xsph, first.xsph),
+                ("other_fluids.heat_gain", fluid.heat_gain, first.heat_gain),
+            ];
+            let usual = Fluid::default();
+            let defaults =
+                [usual.alpha, usual.beta, usual.velocity_exchange, usual.radial_exchange, usual.xsph, usual.heat_gain];
+            for ((field, value, scene), default) in shared.into_iter().zip(defaults) {
+                if value != scene && value != default {
+                    return Err(not_together(field, "another of the first fluid's", "it is the scene's, one for all"));
+                }
+            }
+        }
+        let own_volumes = matches!(
+            model.pressure_force,
+            PressureForce::MuellerAdapted | PressureForce::MonaghanAdapted | PressureForce::NumberDensity
+        ) || matches!(
+            model.density,
+            DensityForm::SummationAdapted | DensityForm::ContinuityAdapted | DensityForm::NumberDensity
+        );
+        if model.viscosity == Viscosity::MuellerAdapted && !own_volumes {
+            return Err(not_together(
+                "model.viscosity MuellerAdapted",
+                "a model.density and a model.pressure_force that are not adapted",
+                "no number density is there for it",
+            ));
+        }
+        Ok(())
+    }
+
+    fn check_tension(&self) -> Result<(), SceneError> {
+        let model = &self.model;
+        let pulls = |fluid: &Fluid| fluid.surface_tension > 0.0;
+        if model.surface_tension == SurfaceTension::Off && self.fluids().any(pulls) {
+            return Err(not_together("fluid.surface_tension", "model.surface_tension Off", "nothing would use it"));
+        }
+        if model.surface_tension == SurfaceTension::Curvature && model.density_kernel.is_cusped() {
+            return Err(not_together(
+                "model.surface_tension Curvature",
+                "a model.density_kernel with an edge at no distance",
+                "its Laplacian is infinite there",
+            ));
         }
         Ok(())
     }

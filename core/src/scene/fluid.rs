@@ -1,6 +1,13 @@
 //! What flows, and where it is at the start.
+use super::choice::EquationOfState;
+
+/// Fluids that a scene can have.
+pub const FLUIDS: usize = 8;
 
 /// Properties of a fluid (S0 section 4.1.4). The default is water that is as compressible as a simulation likes it.
+///
+/// Between two fluids viscosities act by their mean (S0 section 3.3). What is said to be the scene's is taken from its first
+/// fluid for all.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
 pub struct Fluid {
@@ -8,33 +15,49 @@ pub struct Fluid {
     pub rest_density: f32,
     /// Speed of sound, m/s (default 10); about ten times the fastest flow keeps the density within 1 %.
     pub speed_of_sound: f32,
+    /// How pressure follows from density (default the model's). Not [`EquationOfState::PressureCorrection`], which is the
+    /// whole scene's or nobody's.
+    pub equation_of_state: Option<EquationOfState>,
+    /// Particles inside its own support radius (default the scene's). The scene then has the smallest support radius of its
+    /// fluids (S0 section 3.3).
+    pub average_neighbours: Option<f32>,
     /// Tait's constant, Pa (default `rho0 c0^2 / 7`, the corrected constant of S3): S1's stiffness k. The speed of sound then
     /// only serves the artificial viscosity and the default near stiffness.
     pub stiffness: Option<f32>,
     /// Dynamic viscosity, Pa s (default 0: none). For [`Viscosity`](super::Viscosity)`::{Mueller, Morris, Dotted}`.
     pub dynamic_viscosity: f32,
-    /// Linear coefficient of the artificial viscosity (default 1). With the support radius in place of Monaghan's h, half
+    /// Surface tension (default 0: none), by [`ModelChoice::surface_tension`](super::ModelChoice::surface_tension): N/m for
+    /// `Curvature` and `NormalCurvature`; for the models that have no tension of their own a coefficient, m3/s2 for
+    /// `Attraction` and m2/s2 for `GradientSum`.
+    pub surface_tension: f32,
+    /// Stiffness of the springs that join its particles, N/m (S0 eq. 2.26; default 0: none). Each end feels half of it, so a
+    /// spring pulls with half of this stiffness. See [`Elasticity`](super::Elasticity).
+    pub elastic_stiffness: f32,
+    /// Linear coefficient of the artificial viscosity (default 1), the scene's. With the support radius in place of Monaghan's h, half
     /// of it, the same alpha gives twice his viscosity.
     pub alpha: f32,
-    /// Its quadratic coefficient (default 2).
+    /// Its quadratic coefficient (default 2), the scene's.
     pub beta: f32,
     /// Share of the difference between two velocities that a neighbour at no distance exchanges in a step (S4; default 0),
     /// for [`Viscosity::Exchange`](super::Viscosity::Exchange). More than about 0.2 is cut down: see
-    /// [`terms::exchange`](crate::terms::exchange).
+    /// [`terms::exchange`](crate::terms::exchange). The scene's.
     pub velocity_exchange: f32,
     /// The same, of the velocity with which two particles approach each other (S4's shock viscosity; default 0: none).
-    /// Acts beside any viscosity.
+    /// Acts beside any viscosity. The scene's.
     pub radial_exchange: f32,
-    /// How much a particle moves with its neighbours (XSPH, S0 eq. 2.16, S3; 0 to 1, default 0: not at all).
+    /// How much a particle moves with its neighbours (XSPH, S0 eq. 2.16, S3; 0 to 1, default 0: not at all). The
+    /// scene's.
     pub xsph: f32,
     /// Near pressure over density, m2/s2 (default 0.1 c0^2, our choice: with c0^2 a liquid becomes a gas). Acts where
     /// [`ModelChoice::near_pressure`](super::ModelChoice::near_pressure) does.
     pub near_stiffness: Option<f32>,
     /// Share of what viscosity dissipates that becomes heat (S4's gain; default 1), where
-    /// [`ModelChoice::thermal_energy`](super::ModelChoice::thermal_energy) is on.
+    /// [`ModelChoice::thermal_energy`](super::ModelChoice::thermal_energy) is on. The scene's.
     pub heat_gain: f32,
     /// Thermal energy at the start, J/kg (default 0).
     pub thermal_energy: f32,
+    /// Colour that it is drawn with, red, green and blue from 0 to 1 (default one of a palette).
+    pub colour: Option<[f32; 3]>,
 }
 
 impl Default for Fluid {
@@ -42,8 +65,12 @@ impl Default for Fluid {
         Fluid {
             rest_density: 1000.0,
             speed_of_sound: 10.0,
+            equation_of_state: None,
+            average_neighbours: None,
             stiffness: None,
             dynamic_viscosity: 0.0,
+            surface_tension: 0.0,
+            elastic_stiffness: 0.0,
             alpha: 1.0,
             beta: 2.0,
             velocity_exchange: 0.0,
@@ -52,6 +79,7 @@ impl Default for Fluid {
             near_stiffness: None,
             heat_gain: 1.0,
             thermal_energy: 0.0,
+            colour: None,
         }
     }
 }
@@ -60,6 +88,10 @@ impl Default for Fluid {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Block {
+    /// Which fluid it is of: 0 for [`Scene::fluid`](super::Scene::fluid), 1 for the first of
+    /// [`Scene::other_fluids`](super::Scene::other_fluids) and so on (default 0).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub fluid: u32,
     /// Lowest corner, m.
     pub corner: [f32; 3],
     /// Extent, m; rounded to whole spacings. In 2D the extent along z is ignored.

@@ -1,6 +1,6 @@
 //! Where particles are at the start: cell centres of a lattice, block after block, then wall after wall, x fastest.
 use super::walls::wall_places;
-use super::{Block, Dimension, Scene};
+use super::{Block, Dimension, FIRST_BLOCK, Scene};
 use crate::guided::hydrostatic_deviation;
 
 /// One particle at the start. Its thermal energy is the fluid's.
@@ -10,9 +10,9 @@ pub struct Place {
     pub position: [f32; 3],
     /// How fast, m/s; of a wall's, how fast its surface slides.
     pub velocity: [f32; 3],
-    /// Which of the scene's kinds of particle ([`Parameters::species`](crate::layout::Parameters)).
+    /// Which of the scene's kinds of particle: a fluid's is its number ([`kind_of`](super::kind_of)).
     pub species: u32,
-    /// Mass over the scene's particle mass.
+    /// Mass over that of a particle of its fluid at rest.
     pub mass: f32,
     /// Density over the rest density, less one.
     pub deviation: f32,
@@ -21,10 +21,16 @@ pub struct Place {
 }
 
 impl Place {
-    /// A particle of the fluid, at rest density.
+    /// A particle of the first fluid, at rest density.
     #[must_use]
     pub fn at(position: [f32; 3], velocity: [f32; 3]) -> Place {
-        Place { position, velocity, species: 0, mass: 1.0, deviation: 0.0, pressure: 0.0 }
+        Place::of_fluid(0, position, velocity)
+    }
+
+    /// A particle of a fluid by number, at rest density.
+    #[must_use]
+    pub fn of_fluid(fluid: u32, position: [f32; 3], velocity: [f32; 3]) -> Place {
+        Place { position, velocity, species: fluid, mass: 1.0, deviation: 0.0, pressure: 0.0 }
     }
 }
 
@@ -60,11 +66,10 @@ pub fn places(scene: &Scene) -> impl Iterator<Item = Place> {
             let shift = if block.jitter > 0.0 { random() * f64::from(block.jitter) * spacing } else { 0.0 };
             position[axis] = (centre + shift) as f32;
         }
-        // kind 0 is the fluid, kind 1 + i a block of a viscosity of its own
-        let species = if block.dynamic_viscosity.is_some() { 1 + i as u32 } else { 0 };
-        let mut place = Place { species, ..Place::at(position, block.velocity) };
+        let species = if block.dynamic_viscosity.is_some() { FIRST_BLOCK + i as u32 } else { block.fluid };
+        let mut place = Place::of_fluid(species, position, block.velocity);
         if scene.model.hydrostatic_start {
-            let (deviation, pressure) = hydrostatic_deviation(scene, position);
+            let (deviation, pressure) = hydrostatic_deviation(scene, block.fluid, position);
             place = Place { mass: (1.0 + deviation) as f32, deviation: deviation as f32, pressure, ..place };
         }
         place

@@ -1,21 +1,28 @@
 //! What a scene is: a fluid, where it starts, what holds it and drives it, and which formulas move it.
 //!
 //! A scene is plain data in SI units; [`Scene::check`] refuses what cannot run before anything is touched.
+mod air;
 mod check;
 mod choice;
 mod combinations;
+mod elasticity;
 mod fluid;
+mod kind;
 mod lattice;
 mod model;
 mod surroundings;
 mod walls;
 
+pub use air::Air;
 pub(crate) use check::check_count;
 pub use choice::{
     DensityForm, Dimension, EquationOfState, Evaluation, Face, GridStructure, Iteration, Kernel, NearPressure,
-    PressureForce, Reflection, Viscosity, WallPressure,
+    PressureForce, Reflection, SurfaceTension, Viscosity, WallPressure,
 };
-pub use fluid::{Block, Fluid};
+pub use elasticity::{Elasticity, Plasticity};
+pub use fluid::{Block, FLUIDS, Fluid};
+pub(crate) use kind::{DORMANT, FIRST_BLOCK, FIRST_WALL};
+pub use kind::{Kind, kind_of};
 pub use lattice::{Place, places};
 pub use model::{Correction, ModelChoice, SupportRange};
 pub use surroundings::{Container, FieldLattice, Grid, Periodic, WALLS, Wall, WallShape, Wind};
@@ -55,6 +62,9 @@ pub struct Scene {
     pub field: Option<FieldLattice>,
     /// What flows.
     pub fluid: Fluid,
+    /// What else flows: fluids 1, 2 ... for [`Block::fluid`].
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub other_fluids: Vec<Fluid, { FLUIDS - 1 }>,
     /// Where it is at the start.
     pub blocks: Vec<Block, BLOCKS>,
     /// The box that holds it, if any: planes that put particles back.
@@ -66,6 +76,12 @@ pub struct Scene {
     /// Directions that wrap around, if any.
     #[cfg_attr(feature = "serde", serde(default))]
     pub periodic: Option<Periodic>,
+    /// How particles of elastic fluids are joined.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub elasticity: Elasticity,
+    /// A coat of air, if any.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub air: Option<Air>,
     /// Which formulas are used.
     #[cfg_attr(feature = "serde", serde(default))]
     pub model: ModelChoice,
@@ -95,13 +111,27 @@ impl Scene {
             wind: None,
             field: None,
             fluid,
+            other_fluids: Vec::new(),
             blocks: [block].into_iter().collect(),
             container: None,
             walls: Vec::new(),
             periodic: None,
+            elasticity: Elasticity::default(),
+            air: None,
             model: ModelChoice::default(),
             grid: Grid::default(),
         }
+    }
+
+    /// Its fluids, by number.
+    pub fn fluids(&self) -> impl Iterator<Item = &Fluid> {
+        core::iter::once(&self.fluid).chain(&self.other_fluids)
+    }
+
+    /// A fluid by number; the first where there is none of that number, which [`Scene::check`] refuses.
+    #[must_use]
+    pub fn fluid_of(&self, number: u32) -> &Fluid {
+        self.fluids().nth(number as usize).unwrap_or(&self.fluid)
     }
 
     /// Axes that wrap around.

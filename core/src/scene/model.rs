@@ -1,6 +1,7 @@
 //! Which formulas a scene uses.
 use super::choice::{
-    DensityForm, EquationOfState, Evaluation, Iteration, Kernel, NearPressure, PressureForce, Viscosity, WallPressure,
+    DensityForm, EquationOfState, Evaluation, Iteration, Kernel, NearPressure, PressureForce, SurfaceTension,
+    Viscosity, WallPressure,
 };
 
 /// Which formula each term uses. The defaults are S0's (section 4.1.2), in their forms for a single fluid.
@@ -33,6 +34,13 @@ pub struct ModelChoice {
     pub near_pressure: NearPressure,
     /// How velocities diffuse.
     pub viscosity: Viscosity,
+    /// How surfaces pull themselves together.
+    pub surface_tension: SurfaceTension,
+    /// Length of a normal, over one over the support radius, above which a particle is at the surface (S0 section 3.4.4's
+    /// threshold; default 0.1). With `Curvature` and `NormalCurvature` only those feel a tension.
+    pub surface_threshold: f32,
+    /// Find normals and who is at the surface for the host, also without a tension that needs them (default off).
+    pub surface_normals: bool,
     /// Keep account of heat: compression and what viscosity dissipates (S3; S4).
     pub thermal_energy: bool,
     /// Supports that follow the density, within bounds (S0 eq. 4.2 per errata; default: one for all).
@@ -57,6 +65,9 @@ impl Default for ModelChoice {
             pressure_force: PressureForce::Mueller,
             near_pressure: NearPressure::Thesis,
             viscosity: Viscosity::Mueller,
+            surface_tension: SurfaceTension::Off,
+            surface_threshold: 0.1,
+            surface_normals: false,
             thermal_energy: false,
             variable_support: None,
             wall_pressure: WallPressure::Mirrored,
@@ -77,6 +88,18 @@ impl ModelChoice {
             near_pressure: NearPressure::Off,
             viscosity: Viscosity::Morris,
             ..ModelChoice::default()
+        }
+    }
+}
+
+impl ModelChoice {
+    /// The modern choice for several fluids: its forms adapted to contrasts of density (S0 section 3.4.3).
+    #[must_use]
+    pub fn multiphase() -> ModelChoice {
+        ModelChoice {
+            density: DensityForm::SummationAdapted,
+            pressure_force: PressureForce::MonaghanAdapted,
+            ..ModelChoice::modern()
         }
     }
 }

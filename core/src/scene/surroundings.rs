@@ -52,9 +52,20 @@ pub struct Wall {
     /// conveyor belt would be replaced by others.
     #[cfg_attr(feature = "serde", serde(default))]
     pub velocity: [f32; 3],
+    /// Which fluid it is like where it is quasi-fluid: its particles have that one's density (default 0, the first).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub fluid: u32,
     /// Dynamic viscosity between it and the fluid, Pa s (default the fluid's: no slip; 0: free slip).
     #[cfg_attr(feature = "serde", serde(default))]
     pub dynamic_viscosity: Option<f32>,
+}
+
+impl Wall {
+    /// One that stands still, of the first fluid's viscosity: no slip.
+    #[must_use]
+    pub fn still(shape: WallShape) -> Wall {
+        Wall { shape, velocity: [0.0; 3], fluid: 0, dynamic_viscosity: None }
+    }
 }
 
 /// Shape of a wall.

@@ -1,6 +1,6 @@
 //! Where the particles of walls are: layers of the fluid's own lattice, outside of it.
 use super::lattice::{indices, whole};
-use super::{BLOCKS, Dimension, Face, Place, Scene, Wall, WallPressure, WallShape};
+use super::{Dimension, FIRST_WALL, Face, Place, Scene, Wall, WallPressure, WallShape};
 
 impl Scene {
     /// Layers of a wall: S1's two with mirrored pressure, S0's three as quasi-fluid; more where the support reaches further.
@@ -87,7 +87,7 @@ pub(super) fn wall_places(scene: &Scene) -> impl Iterator<Item = Place> {
             for axis in 0..scene.dimension.count() {
                 position[axis] = (low[axis] + (index[axis] as f64 + 0.5) * spacing) as f32;
             }
-            Place { species: (1 + BLOCKS + i) as u32, ..Place::at(position, wall.velocity) }
+            Place::of_fluid(FIRST_WALL + i as u32, position, wall.velocity)
         })
     })
 }

@@ -31,22 +31,22 @@ pub fn predicted_velocity<R: Real>(p: &Parameters, velocity: vec3<R>, accelerati
 /// sound; what density is off by already is mended in a few steps, since in one it would shake the particles. Literal (S0
 /// eq. 3.3): from no change at all.
 #[inline(always)]
-pub fn density_miss<R: Real>(m: &Model, p: &Parameters, pressure: R, deviation: R, rate: R) -> R {
-    let change = rate * p.continuity_constant * p.time_step;
+pub fn density_miss<R: Real>(m: &Model, p: &Parameters, pressure: R, deviation: R, rate: R, compressibility: R) -> R {
+    let change = rate * p.time_step;
     if m.iteration == LITERAL {
         return change;
     }
-    return (deviation - pressure * p.compressibility) * p.correction_source + change;
+    return (deviation - pressure * compressibility) * p.correction_source + change;
 }
 
 /// Pressure after an iteration, Pa: `P + k miss`, where k is `rho0 c0^2`, or what the lattice can bear.
 #[inline(always)]
-pub fn pressure_corrected<R: Real>(m: &Model, p: &Parameters, pressure: R, miss: R) -> R {
-    return flush(pressure_close(m, pressure + miss * p.correction_stiffness));
+pub fn pressure_corrected<R: Real>(m: &Model, pressure: R, miss: R, stiffness: R) -> R {
+    return flush(pressure_close(m, pressure + miss * stiffness));
 }
 
 /// What the iteration still had to mend, over the rest density; nothing where a pressure stays at 0 for want of suction.
 #[inline(always)]
-pub fn residual<R: Real>(p: &Parameters, before: R, after: R) -> R {
-    return abs(after - before) * p.inverse_correction_stiffness;
+pub fn residual<R: Real>(before: R, after: R, inverse_stiffness: R) -> R {
+    return abs(after - before) * inverse_stiffness;
 }

@@ -6,15 +6,22 @@
 use super::geometry::*;
 use super::kernel::*;
 use super::pair::*;
+use super::wall::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters};
 
-/// Share of the difference to a neighbour that a particle takes: half of the gain, falling with distance, 0 for itself.
+/// Share of the difference to a neighbour that a particle takes: half of the gain, falling with distance, 0 for itself. Of
+/// two masses the lighter takes more, `m_b / ((m_a + m_b) / 2)`, so that what one gains in momentum the other loses.
 #[inline(always)]
 pub fn exchange_weight<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>) -> R {
     let x_ab = separation(m, p, a.position, b.position);
     let q = root(squared_ratio(m, p, x_ab, pair_scale(m, a.support, b.support)));
-    return select(real(0.0), inside(q) * 0.5, less(real(0.0), q));
+    let share = select(real(0.0), inside(q) * 0.5, less(real(0.0), q));
+    if weighs(m) {
+        let masses = mass_ratio(m, a, b);
+        return share * div(masses * 2.0, masses + 1.0);
+    }
+    return share;
 }
 
 /// Of the velocity with which two particles approach each other: `v_ab . x_ab`, 0 where they part.

@@ -3,15 +3,16 @@ use super::geometry::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters};
 
-/// `g (1 - rho_ambient / rho_a)` (S4's body force), m/s2; all of g where nothing surrounds the fluid.
+/// `g (1 - rho_ambient / rho_a)` (S4's body force), m/s2; all of g where nothing surrounds the fluid. `density` is over the
+/// first fluid's at rest.
 #[inline(always)]
-pub fn weight<R: Real>(m: &Model, p: &Parameters, deviation: R) -> vec3<R> {
+pub fn weight<R: Real>(m: &Model, p: &Parameters, density: R) -> vec3<R> {
     let g = vec3(real(p.gravity[0]), real(p.gravity[1]), real(p.gravity[2]));
     if m.buoyancy == 0 {
         return g;
     }
     let one: R = real(1.0);
-    return g * (one - div(real(p.ambient_ratio), deviation + 1.0));
+    return g * (one - div(real(p.ambient_ratio), density));
 }
 
 /// `drag (wind - v)`, m/s2.
@@ -42,14 +43,14 @@ pub fn field_share<R: Real>(m: &Model, place: vec3<R>, node: vec3<R>) -> R {
 
 /// All that acts from outside but the host's field, added to what the neighbours do, m/s2.
 #[inline(always)]
-pub fn external_close<R: Real>(m: &Model, p: &Parameters, driven: vec3<R>, velocity: vec3<R>, deviation: R) -> vec3<R> {
+pub fn external_close<R: Real>(m: &Model, p: &Parameters, driven: vec3<R>, velocity: vec3<R>, density: R) -> vec3<R> {
     if m.gravity == 0 {
         if m.wind == 0 {
             return flush3(driven);
         }
         return flush3(driven + wind_drag(p, velocity));
     }
-    let weighed = driven + weight(m, p, deviation);
+    let weighed = driven + weight(m, p, density);
     if m.wind == 0 {
         return flush3(weighed);
     }

@@ -43,8 +43,8 @@ pub fn exchange_heat<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R
 
 /// Rate of thermal energy, W/kg.
 #[inline(always)]
-pub fn heat_close<R: Real>(p: &Parameters, sum: R, deviation: R) -> R {
-    return flush(div(sum, (deviation + 1.0) * p.rest_density));
+pub fn heat_close<R: Real>(m: &Model, p: &Parameters, sum: R, a: Local<R>) -> R {
+    return flush(sum * inverse_density(m, p, a));
 }
 
 /// Thermal energy a step later, J/kg: the mean of the rates at its two ends.

@@ -23,6 +23,7 @@ macro_rules! texts {
 pub mod boundary;
 pub mod correction;
 pub mod density;
+pub mod elastic;
 pub mod exchange;
 pub mod external;
 pub mod geometry;
@@ -36,12 +37,13 @@ pub mod pressure;
 pub mod state;
 pub mod support;
 pub mod table;
+pub mod tension;
 pub mod viscosity;
 pub mod wall;
 pub mod xsph;
 
-texts!(boundary correction density exchange external geometry heat integrate near neighbour pair pressure state support
-    table viscosity wall xsph);
+texts!(boundary correction density elastic exchange external geometry heat integrate near neighbour pair pressure state support
+    table tension viscosity wall xsph);
 
 /// All texts, in any order: WGSL does not mind.
 pub fn texts() -> impl Iterator<Item = (&'static str, &'static str)> {

@@ -1,8 +1,9 @@
 //! Near pressure, which only ever pushes and only close by, so that particles do not pair (S0 section 3.1; S4).
+use super::density::*;
 use super::kernel::*;
 use super::pair::*;
 use crate::arithmetic::real::*;
-use crate::layout::{Model, Parameters};
+use crate::layout::Model;
 
 /// None.
 pub const NEAR_OFF: u32 = 0;
@@ -15,32 +16,32 @@ pub const ARTICLE: u32 = 2;
 #[inline(always)]
 pub fn near_density_neighbour<R: Real>(m: &Model, mass_b: R, q2: R, scale: R) -> R {
     let w = value_scaled(m, kernel_w(SPIKY, q2), scale);
-    if m.masses == 0 {
-        return w;
+    if counts_masses(m) {
+        return w * mass_b;
     }
-    return w * mass_b;
+    return w;
 }
 
 /// `P_near = k_near rho` (S0 section 3.1 per errata: its own stiffness `k_near`, m2/s2), Pa.
 #[inline(always)]
-pub fn near_pressure_thesis<R: Real>(p: &Parameters, deviation: R) -> R {
-    return (deviation + 1.0) * p.near_pressure_at_rest;
+pub fn near_pressure_thesis<R: Real>(deviation: R, stiffness: R) -> R {
+    return (deviation + 1.0) * stiffness;
 }
 
 /// `P_near = k_near rho_near` (S4), Pa.
 #[inline(always)]
-pub fn near_pressure_article<R: Real>(p: &Parameters, near_sum: R) -> R {
-    return near_sum * p.near_density_constant;
+pub fn near_pressure_article<R: Real>(near_sum: R, stiffness: R) -> R {
+    return near_sum * stiffness;
 }
 
 /// The chosen near pressure.
 #[inline(always)]
-pub fn near_pressure_close<R: Real>(m: &Model, p: &Parameters, deviation: R, near_sum: R) -> R {
+pub fn near_pressure_close<R: Real>(m: &Model, deviation: R, near_sum: R, stiffness: R) -> R {
     if m.near_pressure == THESIS {
-        return near_pressure_thesis(p, deviation);
+        return near_pressure_thesis(deviation, stiffness);
     }
     if m.near_pressure == ARTICLE {
-        return near_pressure_article(p, near_sum);
+        return near_pressure_article(near_sum, stiffness);
     }
     return real(0.0);
 }

@@ -5,6 +5,7 @@ use super::pair::*;
 use super::pressure::*;
 use super::state::*;
 use super::table::*;
+use super::tension::*;
 use super::viscosity::*;
 use super::wall::*;
 use crate::arithmetic::real::*;
@@ -15,7 +16,7 @@ use crate::layout::{Model, Parameters, Tables};
 pub fn push_of_pressure<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>, q: R, scale: R) -> R {
     let slope = slope_scaled(m, pressure_slope(m, t, q), scale) * p.pressure_constant;
     let pressure_b = wall_mirrored(m, a.pressure, b.pressure, b.wall);
-    return pressure_pair(m, a, pressure_b, neighbour_volume(m, a, b), b.mass, slope);
+    return pressure_pair(m, a, pressure_b, neighbour_volume(m, a, b), mass_ratio(m, a, b), slope);
 }
 
 /// Near pressure, likewise, N/m3.
@@ -74,9 +75,9 @@ pub fn drag_of_pair<R: Real>(
     return vec3(if_inside(q, drag.x), if_inside(q, drag.y), if_inside(q, drag.z));
 }
 
-/// Force density that `b` exerts on `a`, N/m3: pressure, then viscosity.
+/// Pressure and viscosity, N/m3.
 #[inline(always)]
-pub fn force_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>) -> vec3<R> {
+pub fn push_and_drag<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>) -> vec3<R> {
     let x_ab = separation(m, p, a.position, b.position);
     let scale = pair_scale(m, a.support, b.support);
     // from the same q^2 by which the loops tell neighbours, so that who is not one adds exact zeros
@@ -91,9 +92,21 @@ pub fn force_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<
     return pushed + drag_of_pair(m, p, t, a, b, x_ab, q, scale);
 }
 
+/// Force density that `b` exerts on `a`, N/m3: pressure, then viscosity, then what draws particles of one fluid together.
+#[inline(always)]
+pub fn force_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>) -> vec3<R> {
+    let force = push_and_drag(m, p, t, a, b);
+    if m.tension == ATTRACTION {
+        return force + attraction(m, p, a, b);
+    }
+    if m.tension == GRADIENT_SUM {
+        return force + gradient_sum(m, p, a, b);
+    }
+    return force;
+}
+
 /// Acceleration of `a` (S0 eq. 2.8): the summed force density over its density, m/s2.
 #[inline(always)]
-pub fn acceleration_close<R: Real>(p: &Parameters, force: vec3<R>, deviation: R) -> vec3<R> {
-    let one: R = real(1.0);
-    return force * div(one, (deviation + 1.0) * p.rest_density);
+pub fn acceleration_close<R: Real>(m: &Model, p: &Parameters, force: vec3<R>, a: Local<R>) -> vec3<R> {
+    return force * inverse_density(m, p, a);
 }

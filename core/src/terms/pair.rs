@@ -12,7 +12,7 @@ pub struct Local<R> {
     pub velocity: vec3<R>,
     /// Its support radius over the scene's.
     pub support: R,
-    /// Its mass over the scene's.
+    /// Its mass over that of a particle of its fluid at rest.
     pub mass: R,
     /// `rho / rho0 - 1`.
     pub deviation: R,
@@ -24,8 +24,67 @@ pub struct Local<R> {
     pub volume: R,
     /// Dynamic viscosity, Pa s.
     pub viscosity: R,
-    /// 1 for a particle of a wall, 0 for the fluid.
+    /// Larger than 0 for a particle of a wall, 0 for a fluid's.
     pub wall: R,
+    /// Rest density of its fluid over that of the scene's first.
+    pub rest: R,
+    /// Number of its fluid.
+    pub fluid: R,
+    /// Speed of sound of its fluid at rest, m/s.
+    pub sound: R,
+    /// Number of its equation of state.
+    pub equation: R,
+    /// Surface tension of its fluid.
+    pub tension: R,
+}
+
+/// What the density pass knows of the receiving particle's fluid beside that.
+#[derive(Clone, Copy)]
+pub struct Stiffness<R> {
+    /// Constant of the equation of state, Pa.
+    pub state: R,
+    /// Near pressure at rest (thesis), or over the near sum (article), Pa.
+    pub near: R,
+    /// Change of pressure for a density that is off by all of itself, Pa.
+    pub correction: R,
+    /// One over it, 1/Pa.
+    pub inverse_correction: R,
+    /// `1 / (rho0 c0^2)`, 1/Pa.
+    pub compressibility: R,
+}
+
+/// Do masses differ, by particle or by fluid?
+#[inline(always)]
+pub fn weighs(m: &Model) -> bool {
+    return m.masses + m.fluids > 0;
+}
+
+/// Density over the rest density of the scene's first fluid.
+#[inline(always)]
+pub fn density_ratio<R: Real>(m: &Model, deviation: R, rest: R) -> R {
+    if m.fluids == 0 {
+        return deviation + 1.0;
+    }
+    return (deviation + 1.0) * rest;
+}
+
+/// Density as mass over volume, kg/m3.
+#[inline(always)]
+pub fn local_density<R: Real>(m: &Model, p: &Parameters, a: Local<R>) -> R {
+    if m.numbers == 1 {
+        return div(a.mass * a.rest * p.particle_mass, a.volume);
+    }
+    return density_ratio(m, a.deviation, a.rest) * p.rest_density;
+}
+
+/// One over it: what makes of a force density an acceleration, `F_a / m_a = f_a V_a / m_a`, m3/kg.
+#[inline(always)]
+pub fn inverse_density<R: Real>(m: &Model, p: &Parameters, a: Local<R>) -> R {
+    if m.numbers == 1 {
+        return div(a.volume, a.mass * a.rest * p.particle_mass);
+    }
+    let one: R = real(1.0);
+    return div(one, density_ratio(m, a.deviation, a.rest) * p.rest_density);
 }
 
 /// A difference of coordinates, the shorter way round where the axis is periodic.

@@ -14,11 +14,18 @@ pub const CANONICAL: u32 = 2;
 pub const DIFFERENCE: u32 = 3;
 /// Symmetric on the number density (S4).
 pub const NUMBER_DENSITY_FORCE: u32 = 4;
+/// Solenthaler and Pajarola 2008 (S0 eq. 3.6 per errata): Mueller's, where volumes are `1 / delta`.
+pub const MUELLER_ADAPTED: u32 = 5;
+/// S0 section 4.1.2 per errata: symmetric, where volumes are `1 / delta`.
+pub const MONAGHAN_ADAPTED: u32 = 6;
 
 /// Mueller et al. 2003, eq. 10: `f_a = -sum V_b (P_a + P_b) / 2 grad W` (S0 eq. 2.19).
 ///
 /// On an even lattice `sum V_b grad W` vanishes, so of `(P_a + P_b) / 2` only half of `P_b` remains: this form gives half
 /// of the gradient, and a fluid at rest answers with twice the hydrostatic pressure.
+///
+/// Adapted to contrasts of density (S0 eq. 3.6 per errata), `F_a = -sum (P_a + P_b) / 2 / (delta_a delta_b) grad W` in newtons: over
+/// the particle's own volume `1 / delta_a` that is the same formula, with other volumes.
 #[inline(always)]
 pub fn pressure_mueller<R: Real>(pressure_a: R, pressure_b: R, volume_b: R, slope: R) -> R {
     return (pressure_a + pressure_b) * 0.5 * volume_b * slope;
@@ -32,15 +39,16 @@ pub fn pressure_canonical<R: Real>(pressure_b: R, volume_b: R, slope: R) -> R {
 
 /// `f_a = -1 / rho_a sum m_b (P_b - P_a) grad W` (S0 eq. 2.6), with `m_b / rho_a = V_a m_b / m_a`.
 #[inline(always)]
-pub fn pressure_difference<R: Real>(m: &Model, a: Local<R>, pressure_b: R, mass_b: R, slope: R) -> R {
+pub fn pressure_difference<R: Real>(m: &Model, a: Local<R>, pressure_b: R, masses: R, slope: R) -> R {
     let push = (pressure_b - a.pressure) * a.volume * slope;
-    if m.masses == 0 {
-        return push;
+    if weighs(m) {
+        return push * masses;
     }
-    return push * div(mass_b, a.mass);
+    return push;
 }
 
-/// `f_a = -n_a sum (P_a / n_a^2 + P_b / n_b^2) grad W` (S4 table 2), n = 1 / V.
+/// `f_a = -n_a sum (P_a / n_a^2 + P_b / n_b^2) grad W` (S4 table 2), n = 1 / V. In newtons,
+/// `F_a = -sum (P_a / delta_a^2 + P_b / delta_b^2) grad W` (S0 section 4.1.2 per errata), it is Monaghan's form adapted to contrasts of density.
 #[inline(always)]
 pub fn pressure_number_density<R: Real>(a: Local<R>, pressure_b: R, volume_b: R, slope: R) -> R {
     let one: R = real(1.0);
@@ -52,30 +60,29 @@ pub fn pressure_number_density<R: Real>(a: Local<R>, pressure_b: R, volume_b: R,
 /// Monaghan 1992, eq. 3.1: `f_a = -rho_a sum m_b (P_a / rho_a^2 + P_b / rho_b^2) grad W` (S0 eq. 2.18), with `V = m / rho`:
 /// `f_a = -sum (P_a V_a^2 m_b / m_a + P_b V_b^2 m_a / m_b) / V_a grad W`.
 #[inline(always)]
-pub fn pressure_monaghan<R: Real>(m: &Model, a: Local<R>, pressure_b: R, volume_b: R, mass_b: R, slope: R) -> R {
-    if m.masses == 0 {
-        return pressure_number_density(a, pressure_b, volume_b, slope);
+pub fn pressure_monaghan<R: Real>(m: &Model, a: Local<R>, pressure_b: R, volume_b: R, masses: R, slope: R) -> R {
+    if weighs(m) {
+        let one: R = real(1.0);
+        let ratio = volume_b * div(one, a.volume * masses);
+        return (a.pressure * a.volume * masses + pressure_b * volume_b * ratio) * slope;
     }
-    let one: R = real(1.0);
-    let masses = div(mass_b, a.mass);
-    let ratio = volume_b * div(one, a.volume * masses);
-    return (a.pressure * a.volume * masses + pressure_b * volume_b * ratio) * slope;
+    return pressure_number_density(a, pressure_b, volume_b, slope);
 }
 
-/// The chosen form, between `a` and what stands for `b`.
+/// The chosen form, between `a` and what stands for `b`; `masses` is `m_b / m_a`.
 #[inline(always)]
-pub fn pressure_pair<R: Real>(m: &Model, a: Local<R>, pressure_b: R, volume_b: R, mass_b: R, slope: R) -> R {
-    if m.pressure_force == MUELLER {
+pub fn pressure_pair<R: Real>(m: &Model, a: Local<R>, pressure_b: R, volume_b: R, masses: R, slope: R) -> R {
+    if m.pressure_force == MUELLER || m.pressure_force == MUELLER_ADAPTED {
         return pressure_mueller(a.pressure, pressure_b, volume_b, slope);
     }
     if m.pressure_force == MONAGHAN {
-        return pressure_monaghan(m, a, pressure_b, volume_b, mass_b, slope);
+        return pressure_monaghan(m, a, pressure_b, volume_b, masses, slope);
     }
     if m.pressure_force == CANONICAL {
         return pressure_canonical(pressure_b, volume_b, slope);
     }
     if m.pressure_force == DIFFERENCE {
-        return pressure_difference(m, a, pressure_b, mass_b, slope);
+        return pressure_difference(m, a, pressure_b, masses, slope);
     }
     return pressure_number_density(a, pressure_b, volume_b, slope);
 }

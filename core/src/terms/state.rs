@@ -1,6 +1,6 @@
 //! Equations of state: density, as its deviation from rest, to pressure.
 use crate::arithmetic::real::*;
-use crate::layout::{Model, Parameters};
+use crate::layout::Model;
 
 /// Tait with exponent 7 (Monaghan 1994; S0 eq. 2.15).
 pub const TAIT: u32 = 0;
@@ -32,16 +32,22 @@ pub fn pressure_ideal_gas<R: Real>(deviation: R, stiffness: R) -> R {
     return (deviation + 1.0) * stiffness;
 }
 
-/// Pressure of the chosen equation of state.
+/// Pressure of the chosen equation of state, which may be the fluid's own.
 #[inline(always)]
-pub fn pressure_of_state<R: Real>(m: &Model, p: &Parameters, deviation: R) -> R {
+pub fn pressure_of_state<R: Real>(m: &Model, deviation: R, stiffness: R, equation: R) -> R {
+    if m.states == 1 {
+        // by their numbers: Tait 0, Desbrun 1, a gas 2
+        let gas = pressure_ideal_gas(deviation, stiffness);
+        let linear = select(gas, pressure_desbrun(deviation, stiffness), less(equation, real(1.5)));
+        return select(linear, pressure_tait(deviation, stiffness), less(equation, real(0.5)));
+    }
     if m.equation_of_state == TAIT {
-        return pressure_tait(deviation, real(p.state_stiffness));
+        return pressure_tait(deviation, stiffness);
     }
     if m.equation_of_state == DESBRUN {
-        return pressure_desbrun(deviation, real(p.state_stiffness));
+        return pressure_desbrun(deviation, stiffness);
     }
-    return pressure_ideal_gas(deviation, real(p.state_stiffness));
+    return pressure_ideal_gas(deviation, stiffness);
 }
 
 /// No less than zero where the scene allows no suction: a fluid below its rest density then does not pull.
@@ -55,10 +61,14 @@ pub fn pressure_close<R: Real>(m: &Model, pressure: R) -> R {
 
 /// Speed of sound of a particle, m/s: `c = c0 (rho / rho0)^3` with Tait's equation (S3), else c0.
 #[inline(always)]
-pub fn sound_of_state<R: Real>(m: &Model, p: &Parameters, deviation: R) -> R {
-    if m.equation_of_state == TAIT {
-        let s = deviation + 1.0;
-        return s * s * s * p.speed_of_sound;
+pub fn sound_of_state<R: Real>(m: &Model, deviation: R, sound: R, equation: R) -> R {
+    let s = deviation + 1.0;
+    let cubed = s * s * s * sound;
+    if m.states == 1 {
+        return select(sound, cubed, less(equation, real(0.5)));
     }
-    return real(p.speed_of_sound);
+    if m.equation_of_state == TAIT {
+        return cubed;
+    }
+    return sound;
 }

@@ -13,6 +13,14 @@ pub const SQUARED_TABLE: u32 = 2;
 
 /// The one viscosity that takes the Laplacian of its kernel: see [`viscosity`](super::viscosity).
 pub const LAPLACIAN_VISCOSITY: u32 = 1;
+/// The same, adapted to contrasts of density.
+pub const ADAPTED_LAPLACIAN_VISCOSITY: u32 = 6;
+
+/// Does viscosity take the Laplacian of its kernel, and not the slope?
+#[inline(always)]
+pub fn takes_laplacian(m: &Model) -> bool {
+    return m.viscosity == LAPLACIAN_VISCOSITY || m.viscosity == ADAPTED_LAPLACIAN_VISCOSITY;
+}
 
 /// Table of the density kernel's value.
 pub const DENSITY_TABLE: u32 = 0;
@@ -59,7 +67,7 @@ pub fn pressure_slope<R: Real>(m: &Model, t: &Tables, q: R) -> R {
 /// What viscosity takes of its kernel, by formula: the Laplacian, or the slope.
 #[inline(always)]
 pub fn viscous_direct<R: Real>(m: &Model, q: R) -> R {
-    if m.viscosity == LAPLACIAN_VISCOSITY {
+    if takes_laplacian(m) {
         return kernel_laplacian(m, m.viscosity_kernel, q);
     }
     return kernel_slope(m, m.viscosity_kernel, q);

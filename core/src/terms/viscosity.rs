@@ -19,8 +19,13 @@ pub const ARTIFICIAL: u32 = 3;
 pub const DOTTED: u32 = 4;
 /// S4: see [`exchange`](super::exchange).
 pub const EXCHANGE: u32 = 5;
+/// Solenthaler and Pajarola 2008 (S0 eq. 3.7 per errata).
+pub const MUELLER_ADAPTED_VISCOSITY: u32 = ADAPTED_LAPLACIAN_VISCOSITY;
 
 /// Mueller et al. 2003, eq. 14: `f_a = mu sum V_b (v_b - v_a) laplacian W` (S0 eq. 2.24). The sign is in `v_ab`'s.
+///
+/// Adapted to contrasts of density, `F_a = sum (mu_a + mu_b) / 2 (v_b - v_a) / (delta_a delta_b) laplacian W` in newtons (S0 eq. 3.7
+/// per errata): over the particle's own volume `1 / delta_a` the same formula.
 #[inline(always)]
 pub fn viscosity_mueller<R: Real>(viscosity: R, volume_b: R, laplacian: R) -> R {
     return -(viscosity * volume_b * laplacian);
@@ -51,9 +56,10 @@ pub fn viscosity_artificial<R: Real>(p: &Parameters, weight: R, sound: R, approa
 
 /// `rho_a m_b / ((rho_a + rho_b) / 2)`, kg/m3 times m3.
 #[inline(always)]
-pub fn mean_density_weight<R: Real>(p: &Parameters, a: Local<R>, b: Local<R>) -> R {
-    let both = a.deviation + b.deviation + 2.0;
-    return div((a.deviation + 1.0) * b.mass * p.particle_mass * 2.0, both);
+pub fn mean_density_weight<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>) -> R {
+    let own = density_ratio(m, a.deviation, a.rest);
+    let both = own + density_ratio(m, b.deviation, b.rest);
+    return div(own * mass_seen(m, a.rest, b.mass, b.rest, b.wall) * p.particle_mass * 2.0, both);
 }
 
 /// Force density of the chosen viscosity that `b` exerts on `a`, N/m3.
@@ -72,7 +78,7 @@ pub fn viscosity_pair<R: Real>(
     let v_ab = (a.velocity - b.velocity) * (b.wall + 1.0);
     let volume_b = neighbour_volume(m, a, b);
     let kernel = viscous_kernel(m, t, q);
-    if m.viscosity == MUELLER_VISCOSITY {
+    if takes_laplacian(m) {
         let laplacian = laplacian_scaled(m, kernel, scale) * p.viscosity_laplacian_constant;
         return v_ab * viscosity_mueller(pair_viscosity(m, a, b), volume_b, laplacian);
     }
@@ -90,7 +96,8 @@ pub fn viscosity_pair<R: Real>(
         let along = viscosity_dotted(p, pair_viscosity(m, a, b), volume_b, approach, inverse_square);
         return x_ab * -(along * fall);
     }
-    let mean_sound = (sound_of_state(m, p, a.deviation) + sound_of_state(m, p, b.deviation)) * 0.5;
-    let along = viscosity_artificial(p, mean_density_weight(p, a, b), mean_sound, approach, inverse_square);
+    let sound_a = sound_of_state(m, a.deviation, a.sound, a.equation);
+    let mean_sound = (sound_a + sound_of_state(m, b.deviation, b.sound, b.equation)) * 0.5;
+    let along = viscosity_artificial(p, mean_density_weight(m, p, a, b), mean_sound, approach, inverse_square);
     return x_ab * (along * fall);
 }

@@ -40,6 +40,25 @@ pub fn if_free<R: Real>(m: &Model, x: vec3<R>, wall: R) -> vec3<R> {
     return vec3(select(x.x, nothing, held), select(x.y, nothing, held), select(x.z, nothing, held));
 }
 
+/// Mass of a neighbour over that of a particle of the scene's first fluid at rest; a mirroring wall's is as if it were of
+/// the particle's own fluid.
+#[inline(always)]
+pub fn mass_seen<R: Real>(m: &Model, rest_a: R, mass_b: R, rest_b: R, wall_b: R) -> R {
+    if m.fluids == 0 {
+        return mass_b;
+    }
+    return mass_b * wall_mirrored(m, rest_a, rest_b, wall_b);
+}
+
+/// `m_b / m_a`.
+#[inline(always)]
+pub fn mass_ratio<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {
+    if m.fluids == 0 {
+        return div(b.mass, a.mass);
+    }
+    return div(mass_seen(m, a.rest, b.mass, b.rest, b.wall), a.mass * a.rest);
+}
+
 /// Volume that a neighbour stands for, m3: for a mirroring wall its own mass at the particle's density.
 #[inline(always)]
 pub fn neighbour_volume<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {

@@ -4,5 +4,14 @@ fn lookup(table: u32, entry: R) -> R {
   let i = table * TABLE_ENTRIES + u32(entry);
   return tables[i / 4u][i % 4u];
 }
-// The kind of a particle: dynamic viscosity, and 1 for a wall's. Twin: core/src/passes/mod.rs.
-fn kind(w: f32) -> f32x4 { return p.species[min(u32(w), SPECIES - 1u)]; }
+// The kind of a particle, and what it has of its own. Twin: core/src/passes/mod.rs.
+fn kind_index(w: f32) -> u32 {
+  if m.species == 0u { return 0u; }
+  return min(u32(w), SPECIES - 1u);
+}
+fn kind(w: f32) -> f32x4 { return p.species[kind_index(w)]; }
+fn stiffness_of(w: f32) -> Stiffness {
+  let states = p.states[kind_index(w)];
+  let corrections = p.corrections[kind_index(w)];
+  return Stiffness(states.x, states.y, corrections.x, corrections.y, corrections.z);
+}

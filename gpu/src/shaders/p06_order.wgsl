@@ -17,4 +17,7 @@ fn pass_body(c: u32) {
     order[j] = slot;
     new_id[j] = key;
   }
+  if m.springs == 1u {
+    for (var j = first; j < first + count; j += 1u) { slot_of[new_id[j]] = j; }
+  }
 }

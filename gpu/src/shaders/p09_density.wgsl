@@ -16,6 +16,8 @@ fn pass_body(a: u32) {
   let own = cell_of(x_a.xyz);
   var sum = 0.0f;
   var near_sum = 0.0f;
+  var number_sum = 0.0f;
+  let own_kind = kind(v_a.w);
   for (var i = 0u; i < stencil_cells(); i += 1u) {
     let c = stencil_cell(own, i);
     let end = begin[c] + head.counter[c];
@@ -25,22 +27,38 @@ fn pass_body(a: u32) {
       let scale = pair_scale(support_of(a), support_of(b));
       let q2 = squared_ratio(x_ab, scale);
       if less(q2, 1.0f) {
-        if m.density == CONTINUITY {
+        var mass_b = x_b.w;
+        if m.fluids == 1u {
+          let kind_b = kind(new_velocity[b].w);
+          mass_b = mass_seen(own_kind.z, x_b.w, kind_b.z, kind_b.y);
+        }
+        if is_stepped() {
           // where the pair was in the middle of the step
           let v_ab = v_a.xyz - new_velocity[b].xyz;
-          sum = sum + continuity_neighbour(x_ab - v_ab * p.half_time_step, v_ab, x_b.w, scale);
+          sum = sum + continuity_neighbour(x_ab - v_ab * p.half_time_step, v_ab, mass_b, scale);
         } else {
-          sum = sum + summed_neighbour(x_b.w, q2, scale);
+          sum = sum + summed_neighbour(mass_b, q2, scale);
         }
-        if m.near_pressure == ARTICLE { near_sum = near_sum + near_density_neighbour(x_b.w, q2, scale); }
+        if m.near_pressure == ARTICLE { near_sum = near_sum + near_density_neighbour(mass_b, q2, scale); }
+        if m.numbers == 1u { number_sum = number_sum + number_density_neighbour(q2, scale); }
       }
     }
   }
+  let k = stiffness_of(v_a.w);
   var deviation = 0.0f;
-  if m.density == CONTINUITY { deviation = deviation_stepped(previous[a].x, sum); } else { deviation = deviation_of_sum(sum); }
+  if is_stepped() {
+    deviation = deviation_stepped(previous[a].x, deviation_rate(sum, x_a.w, own_kind.z));
+  } else {
+    deviation = deviation_of_sum(sum, x_a.w, own_kind.z);
+  }
   var pressure = 0.0f;
-  if m.equation_of_state == PRESSURE_CORRECTION { pressure = pressure_carried(previous[a].y); } else { pressure = pressure_of_state(deviation); }
-  let near_pressure = near_pressure_close(deviation, near_sum);
-  new_density_pressure[a] =
-    vec4(deviation, pressure_close(pressure), near_pressure, volume_close(x_a.w, deviation));
+  if m.equation_of_state == PRESSURE_CORRECTION {
+    pressure = pressure_carried(previous[a].y);
+  } else {
+    pressure = pressure_of_state(deviation, k.state, p.states[kind_index(v_a.w)].w);
+  }
+  let near_pressure = near_pressure_close(deviation, near_sum, k.near);
+  var volume = volume_close(x_a.w, deviation);
+  if m.numbers == 1u { volume = volume_by_number(volume, number_sum, own_kind.y); }
+  new_density_pressure[a] = vec4(deviation, pressure_close(pressure), near_pressure, volume);
 }

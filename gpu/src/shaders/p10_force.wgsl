@@ -48,8 +48,8 @@ fn pass_body(i: u32) {
       }
     }
   }
-  var driven = acceleration_close(force, a.deviation);
+  var driven = acceleration_close(force, a);
   if m.exchange == 1u { driven = driven + change * exchange_close(shares); }
   if m.field == 1u { driven = driven + field_at(a.position); }
-  force_out[i] = vec4(external_close(driven, a.velocity, a.deviation), 0.0f);
+  force_out[i] = vec4(external_close(driven, a.velocity, density_ratio(a.deviation, a.rest)), 0.0f);
 }

@@ -3,6 +3,7 @@
 alias R = f32;
 alias f32x4 = vec4<f32>;
 alias u32x4 = vec4<u32>;
+alias u32x2 = vec2<u32>;
 fn real(x: R) -> R { return x; }
 fn less(x: R, y: R) -> bool { return x < y; }
 fn larger(x: R, y: R) -> R { return select(x, y, x < y); }

@@ -111,11 +111,8 @@ fn scene(drive: &Drive, across: u16) -> Scene {
     scene.time_step = (DIFFUSION * h * h * f64::from(REST_DENSITY / VISCOSITY)) as f32;
     scene.gravity = [drive.force, 0.0, 0.0];
     scene.periodic = Some(Periodic { low: [0.0; 3], high: [length, 1.0, 0.0], axes: [true, false, false] });
-    let wall = |face, y, speed| Wall {
-        shape: WallShape::Plane { face, low: [0.0, y, 0.0], high: [length, y, 0.0] },
-        velocity: [speed, 0.0, 0.0],
-        dynamic_viscosity: None,
-    };
+    let plane = |face, y| WallShape::Plane { face, low: [0.0, y, 0.0], high: [length, y, 0.0] };
+    let wall = |face, y, speed| Wall { velocity: [speed, 0.0, 0.0], ..Wall::still(plane(face, y)) };
     scene.walls = [wall(Face::Floor, 0.0, 0.0), wall(Face::Ceiling, 1.0, drive.lid)].into_iter().collect();
     scene.model = ModelChoice {
         density_kernel: Kernel::CubicSpline,

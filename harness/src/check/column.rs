@@ -79,7 +79,7 @@ impl Column {
         };
         let high = [self.width, self.depth * (1.0 + HEADROOM), 0.0];
         let shape = WallShape::Box { low: [0.0; 3], high, open: [Face::Ceiling].into_iter().collect() };
-        scene.walls = [Wall { shape, velocity: [0.0; 3], dynamic_viscosity: None }].into_iter().collect();
+        scene.walls = [Wall::still(shape)].into_iter().collect();
         scene.grid = grid(Dimension::Two, 32);
         scene
     }

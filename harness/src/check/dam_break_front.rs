@@ -136,7 +136,7 @@ fn scene(side: u16, (density, wall_pressure): (DensityForm, WallPressure)) -> Sc
     };
     let shape = WallShape::Box { low: [0.0; 3], high: TANK, open: [Face::Ceiling].into_iter().collect() };
     // no slip: the bed of the experiment was dry, and the front is the tongue that runs over it
-    scene.walls = [Wall { shape, velocity: [0.0; 3], dynamic_viscosity: None }].into_iter().collect();
+    scene.walls = [Wall::still(shape)].into_iter().collect();
     scene.grid = grid(Dimension::Two, 64);
     scene
 }

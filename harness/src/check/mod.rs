@@ -5,6 +5,7 @@
 mod channel;
 mod column;
 mod dam_break_front;
+mod elastic;
 mod evaluation;
 mod flow;
 mod hydrostatic;
@@ -12,10 +13,12 @@ mod kernels;
 mod lattice;
 mod outcome;
 mod pressure_correction;
+mod rayleigh_taylor;
 mod reference;
 mod still_tank;
 mod taylor_green;
 mod tensile;
+mod two_fluids;
 
 pub use outcome::{Figure, Outcome, Sense};
 
@@ -75,6 +78,11 @@ pub const STUDIES: &[Study] = &[
         about: "a cube of water without gravity becomes a sphere, and its particles do not cluster",
         run: tensile::run,
     },
+    Study {
+        name: "elastic",
+        about: "an elastic cube bounces and has its shape again; a pair swings with the period of its spring",
+        run: elastic::run,
+    },
     Study { name: "hydrostatic", about: "pressure in a tank at rest rises as its depth", run: hydrostatic::run },
     Study { name: "still-tank", about: "a tank at rest stays at rest for five seconds", run: still_tank::run },
     Study {
@@ -93,6 +101,16 @@ pub const STUDIES: &[Study] = &[
         run: channel::couette,
     },
     Study { name: "taylor-green", about: "decaying vortices, against the exact solution", run: taylor_green::run },
+    Study {
+        name: "two-fluids",
+        about: "a light fluid rests on a heavy one, up to a thousand times as heavy",
+        run: two_fluids::run,
+    },
+    Study {
+        name: "rayleigh-taylor",
+        about: "a ripple between two fluids grows as linear theory says, and oil rises through water",
+        run: rayleigh_taylor::run,
+    },
     Study {
         name: "dam-break-front",
         about: "the front of a collapsing column, against Martin and Moyce 1952",

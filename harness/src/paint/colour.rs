@@ -1,4 +1,5 @@
-//! Colours: the map from a number to a colour of water, and the way between light and bytes.
+//! Colours: the map from a number to a colour of water, the palette of what comes in kinds, and the way between light
+//! and bytes.
 //!
 //! Colours are mixed and lit as linear light, a `Vec3` of red, green and blue from 0 to 1, and become sRGB bytes last.
 
@@ -7,11 +8,87 @@ use glam::Vec3;
 /// Deep blue, blue, cyan, pale cyan, white: steps of the water map in sRGB.
 const WATER: [u32; 6] = [0x0d_2b78, 0x12_52ad, 0x10_87cf, 0x30_bfe3, 0x98_e6ef, 0xff_ffff];
 
-/// Drawn where there is no sound number to map: no step of the water map is near to it.
+/// Colours that tell kinds from each other, water's blue first: after Okabe and Ito 2008, so that who sees no red or no
+/// green tells them apart as well.
+const PALETTE: [u32; 8] = [0x14_72c0, 0xe6_9f00, 0x00_9e73, 0xcc_79a7, 0x56_b4e9, 0xd5_5e00, 0xf0_e442, 0x4a_5560];
+
+/// Drawn where there is no sound number to map, or no such kind: no other colour is near to it.
 const BROKEN: u32 = 0xd6_1f8d;
+
+/// What only stands around.
+const WALL: u32 = 0xb9_c1c8;
 
 /// Entries of a colour map.
 const ENTRIES: usize = 256;
+
+/// What gives the particles of a picture their colours, and what the legend says of them.
+#[derive(Clone, Debug)]
+pub enum Colouring {
+    /// A number each (speed in m/s, or density in kg/m3), dark to light like water.
+    Numbers {
+        /// The numbers. A particle whose number is missing or not finite is drawn magenta, which the map does not hold.
+        of: Vec<f32>,
+        /// Value at the two ends of the colour map.
+        range: [f32; 2],
+        /// Label of the colour bar, such as "speed, m/s".
+        label: &'static str,
+    },
+    /// Which of a few kinds each is of.
+    Kinds {
+        /// Places in the key. A particle whose kind is missing there, or here, is drawn magenta.
+        of: Vec<u32>,
+        /// The kinds, all of which the legend shows.
+        key: Vec<Swatch>,
+    },
+}
+
+impl Colouring {
+    /// Colours of the first `count` particles.
+    pub(super) fn lights(&self, count: usize) -> Vec<Vec3> {
+        match self {
+            Colouring::Numbers { of, range, .. } => {
+                let map = ColourMap::water(*range);
+                (0..count).map(|i| map.at(of.get(i).copied().unwrap_or(f32::NAN))).collect()
+            }
+            Colouring::Kinds { of, key } => {
+                let swatch = |i: usize| of.get(i).and_then(|kind| key.get(*kind as usize));
+                let broken = from_srgb(BROKEN);
+                (0..count).map(|i| swatch(i).map_or(broken, |swatch| swatch.light)).collect()
+            }
+        }
+    }
+}
+
+/// A colour of the legend and what it stands for.
+#[derive(Clone, Debug)]
+pub struct Swatch {
+    name: String,
+    light: Vec3,
+}
+
+impl Swatch {
+    /// Of a kind by its number: with `colour` (sRGB from 0 to 1), or with one of the palette, whose eight come round.
+    #[must_use]
+    pub fn new(name: String, number: usize, colour: Option<[f32; 3]>) -> Self {
+        let light = colour.map_or(from_srgb(PALETTE[number % PALETTE.len()]), |parts| Vec3::from(parts.map(linear)));
+        Self { name, light }
+    }
+
+    /// What it stands for.
+    pub(super) fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Its colour.
+    pub(super) fn light(&self) -> Vec3 {
+        self.light
+    }
+}
+
+/// The quiet grey of walls.
+pub(super) fn wall() -> Vec3 {
+    from_srgb(WALL)
+}
 
 /// A colour for every number between two ends.
 pub(super) struct ColourMap {
@@ -55,11 +132,13 @@ impl ColourMap {
 
 /// Linear light of an sRGB colour written as `0xRRGGBB`.
 pub(super) fn from_srgb(hex: u32) -> Vec3 {
-    let part = |shift: u32| {
-        let part = (hex >> shift & 0xff) as f32 / 255.0;
-        if part <= 0.04045 { part / 12.92 } else { ((part + 0.055) / 1.055).powf(2.4) }
-    };
+    let part = |shift: u32| linear((hex >> shift & 0xff) as f32 / 255.0);
     Vec3::new(part(16), part(8), part(0))
+}
+
+/// Linear light of one part of an sRGB colour, 0 to 1.
+fn linear(part: f32) -> f32 {
+    if part <= 0.04045 { part / 12.92 } else { ((part + 0.055) / 1.055).powf(2.4) }
 }
 
 /// Turns linear light into sRGB bytes by table: a power a channel of every pixel would cost more than the lighting.

@@ -5,7 +5,7 @@
 
 use super::Frame;
 use super::camera::Camera;
-use super::colour::ColourMap;
+use super::colour::wall;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
@@ -30,19 +30,19 @@ pub(super) struct Disc {
 }
 
 impl Disc {
-    /// The particles of `frame` that can be seen, nearest first.
+    /// The particles of `frame` that can be seen, those of walls too, nearest first.
     ///
     /// That order lets most samples of a hidden sphere be turned down by one comparison.
-    pub(super) fn project(frame: &Frame, camera: &Camera, map: &ColourMap) -> Vec<Self> {
+    pub(super) fn project(frame: &Frame, camera: &Camera) -> Vec<Self> {
         let bulge = if frame.radius.is_finite() { frame.radius.max(0.0) } else { 0.0 };
-        let disc = |(i, &[x, y, z, _]): (usize, &[f32; 4])| {
+        let disc = |(&[x, y, z, _], colour): (&[f32; 4], Vec3)| {
             let spot = camera.spot(Vec3::new(x, y, z))?;
-            let colour = map.at(frame.shade.get(i).copied().unwrap_or(f32::NAN));
             let radius = (bulge * spot.scale).max(LEAST_RADIUS);
             Some(Self { at: spot.at, radius, depth: spot.depth, bulge, colour })
         };
-        let mut discs: Vec<_> =
-            frame.positions.iter().enumerate().take(Sample::EDGE as usize).filter_map(disc).collect();
+        let coloured = frame.positions.iter().zip(frame.colouring.lights(frame.positions.len()));
+        let all = coloured.chain(frame.walls.iter().zip(std::iter::repeat(wall())));
+        let mut discs: Vec<_> = all.take(Sample::EDGE as usize).filter_map(disc).collect();
         discs.sort_by(|a, b| a.depth.total_cmp(&b.depth)); // stable: particles of equal depth keep their order
         discs
     }

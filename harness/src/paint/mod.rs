@@ -6,7 +6,7 @@
 //!    `tank` adds the edges of the container to the same depth buffer.
 //! 2. `light` colours each sample from the sphere it shows and from the depths around it, so that the large shape of
 //!    the water is seen as well as the single particle, and averages a square of samples into a pixel.
-//! 3. `text` writes the caption and the colour bar over the finished [`Canvas`], which saves itself as PNG.
+//! 3. `text` writes the caption and the legend over the finished [`Canvas`], which saves itself as PNG.
 //!
 //! The same input gives the same bytes, however many threads share the work: a thread owns whole rows, and within a
 //! row the particles are always met in the same order.
@@ -21,7 +21,7 @@ mod text;
 
 use camera::Camera;
 pub use canvas::Canvas;
-use colour::ColourMap;
+pub use colour::{Colouring, Swatch};
 use discs::{Disc, Layer};
 use glam::Vec3;
 use tank::Floor;
@@ -37,19 +37,16 @@ const MAX_SIDE: u32 = 8192;
 pub struct Frame<'a> {
     /// Positions, xyz in metres with y up, w ignored. A position that is not finite is not drawn.
     pub positions: &'a [[f32; 4]],
-    /// One number a particle that picks its colour (speed in m/s, or density in kg/m3). A particle whose number is
-    /// missing or not finite is drawn magenta, a colour that the map does not hold.
-    pub shade: &'a [f32],
-    /// Value of `shade` at the two ends of the colour map.
-    pub range: [f32; 2],
+    /// Their colours.
+    pub colouring: &'a Colouring,
+    /// Positions of what only stands around: drawn as large, in a quiet grey.
+    pub walls: &'a [[f32; 4]],
     /// Drawn radius of a particle, metres.
     pub radius: f32,
     /// Opposite corners of the container to outline, if any.
     pub container: Option<[Vec3; 2]>,
     /// A caption in the picture's corner, such as "t = 0.50 s   speed 0 .. 4 m/s"; may have several lines.
     pub caption: &'a str,
-    /// Label of the colour bar, such as "speed, m/s".
-    pub legend: &'a str,
 }
 
 /// Where the picture is taken from.
@@ -75,10 +72,9 @@ pub fn paint(frame: &Frame, view: &View, bounds: [Vec3; 2], width: u32, height: 
     let (width, height) = (width.clamp(1, MAX_SIDE), height.clamp(1, MAX_SIDE));
     let (wide, high) = (width * SUPERSAMPLING, height * SUPERSAMPLING);
     let camera = Camera::new(view, bounds, wide as f32, high as f32, text::margin(height) * SUPERSAMPLING as f32);
-    let map = ColourMap::water(frame.range);
     let container = frame.container.filter(|[a, b]| a.is_finite() && b.is_finite());
 
-    let discs = Disc::project(frame, &camera, &map);
+    let discs = Disc::project(frame, &camera);
     let mut layer = Layer::new(wide as usize, high as usize);
     layer.draw_discs(&discs);
     if let Some(corners) = container {
@@ -87,7 +83,7 @@ pub fn paint(frame: &Frame, view: &View, bounds: [Vec3; 2], width: u32, height: 
     let floor = container.and_then(|corners| Floor::new(&camera, corners, frame));
     let mut canvas = light::expose(&layer, &discs, &camera, floor.as_ref());
     text::caption(&mut canvas, frame.caption);
-    text::colour_bar(&mut canvas, &map, frame.range, frame.legend);
+    text::legend(&mut canvas, frame.colouring);
     canvas
 }
 
@@ -97,8 +93,12 @@ mod tests {
 
     const BOUNDS: [Vec3; 2] = [Vec3::new(-1.0, 0.0, -1.0), Vec3::new(1.0, 2.0, 1.0)];
 
-    fn frame<'a>(positions: &'a [[f32; 4]], shade: &'a [f32]) -> Frame<'a> {
-        Frame { positions, shade, range: [0.0, 1.0], radius: 0.2, container: None, caption: "", legend: "" }
+    fn frame<'a>(positions: &'a [[f32; 4]], colouring: &'a Colouring) -> Frame<'a> {
+        Frame { positions, colouring, walls: &[], radius: 0.2, container: None, caption: "" }
+    }
+
+    fn numbers(of: &[f32]) -> Colouring {
+        Colouring::Numbers { of: of.to_vec(), range: [0.0, 1.0], label: "" }
     }
 
     /// How much darker a pixel is than the background.
@@ -114,7 +114,7 @@ mod tests {
         let view = View::Orbit { yaw_degrees: 90.0, pitch_degrees: 0.0 };
         let (near, far) = ([0.5, 1.0, 0.0, 0.0], [-0.5, 1.0, 0.0, 0.0]);
         let middle = |positions: &[[f32; 4]], shade: &[f32]| {
-            darkness(&paint(&frame(positions, shade), &view, BOUNDS, 200, 100), 100, 50)
+            darkness(&paint(&frame(positions, &numbers(shade)), &view, BOUNDS, 200, 100), 100, 50)
         };
         let slow_in_front = middle(&[near, far], &[0.0, 1.0]);
         assert!(slow_in_front > middle(&[near, far], &[1.0, 0.0]) + 150);
@@ -126,9 +126,9 @@ mod tests {
         let positions: Vec<[f32; 4]> = (0..500)
             .map(|i| [(i * 7 % 97) as f32 / 60.0 - 0.8, (i * 13 % 89) as f32 / 60.0, (i % 11) as f32 / 8.0 - 0.7, 0.0])
             .collect();
-        let shade: Vec<f32> = (0..500).map(|i| (i % 10) as f32 / 9.0).collect();
+        let colouring = numbers(&(0..500).map(|i| (i % 10) as f32 / 9.0).collect::<Vec<_>>());
         let picture = || {
-            let frame = Frame { container: Some(BOUNDS), caption: "t = 1 s", ..frame(&positions, &shade) };
+            let frame = Frame { container: Some(BOUNDS), caption: "t = 1 s", ..frame(&positions, &colouring) };
             paint(&frame, &View::Orbit { yaw_degrees: 30.0, pitch_degrees: 20.0 }, BOUNDS, 160, 90)
         };
         let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a pool of one thread");
@@ -136,10 +136,26 @@ mod tests {
     }
 
     #[test]
+    fn kinds_have_their_own_colours_and_walls_are_grey() {
+        let key = [None, Some([0.9, 0.2, 0.1])].map(|own| Swatch::new("it".to_owned(), 0, own));
+        let colouring = Colouring::Kinds { of: vec![0, 1, 2], key: key.into() };
+        let positions = [[-0.6, 1.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.6, 1.0, 0.0, 0.0]];
+        let frame = Frame { walls: &[[0.0, 0.4, 0.0, 0.0]], ..frame(&positions, &colouring) };
+        let canvas = paint(&frame, &View::Flat, BOUNDS, 200, 100);
+        // a metre takes 31 pixels
+        let at = |x: u32, y: u32| canvas.pixel(x, y).map_or([0; 3], |pixel| pixel.map(i32::from));
+        let [blue, red, none, grey] = [at(81, 50), at(100, 50), at(119, 50), at(100, 68)];
+        assert!(blue[2] > blue[0] + 50, "{blue:?}");
+        assert!(red[0] > red[2] + 50, "{red:?}");
+        assert!(none[0] > none[1] + 50 && none[2] > none[1] + 50, "{none:?}");
+        assert!(grey.iter().all(|part| (part - grey[1]).abs() < 50), "{grey:?}");
+    }
+
+    #[test]
     fn middle_of_the_bounds_is_the_middle_of_the_picture_and_broken_numbers_do_no_harm() {
         let positions = [[0.0, 1.0, 0.0, 0.0], [f32::NAN; 4], [f32::INFINITY, 0.0, 0.0, 0.0]];
         for view in [View::Flat, View::Orbit { yaw_degrees: -70.0, pitch_degrees: 35.0 }] {
-            let canvas = paint(&frame(&positions, &[0.0]), &view, BOUNDS, 200, 100);
+            let canvas = paint(&frame(&positions, &numbers(&[0.0])), &view, BOUNDS, 200, 100);
             let dark: Vec<_> = (0..100)
                 .flat_map(|y| (0..200).map(move |x| (x, y)))
                 .filter(|&(x, y)| y < 80 && darkness(&canvas, x, y) > 100)

@@ -1,8 +1,8 @@
-//! The words of a picture: a font of 5 x 7 dots and tails, the caption and the colour bar.
+//! The words of a picture: a font of 5 x 7 dots and tails, the caption and the legend.
 #![expect(clippy::unreadable_literal, reason = "a glyph is five columns of two digits each")]
 
 use super::canvas::Canvas;
-use super::colour::{ColourMap, Encoder};
+use super::colour::{ColourMap, Colouring, Encoder, Swatch};
 
 /// Colour of letters.
 const INK: [u8; 3] = [0x2b, 0x38, 0x45];
@@ -46,9 +46,18 @@ pub(super) fn caption(canvas: &mut Canvas, text: &str) {
     }
 }
 
-/// Draws the colour bar into the lower right corner, on one line: label, low end, bar, high end.
-pub(super) fn colour_bar(canvas: &mut Canvas, map: &ColourMap, range: [f32; 2], label: &str) {
+/// Says in the lower right corner, on one line, what the colours mean.
+pub(super) fn legend(canvas: &mut Canvas, colouring: &Colouring) {
+    match colouring {
+        Colouring::Numbers { range, label, .. } => colour_bar(canvas, *range, label),
+        Colouring::Kinds { key, .. } => swatches(canvas, key),
+    }
+}
+
+/// Draws the colour bar: label, low end, bar, high end.
+fn colour_bar(canvas: &mut Canvas, range: [f32; 2], label: &str) {
     let (wide, high, dot) = (canvas.width() as i32, canvas.height() as i32, dot(canvas.height()));
+    let map = ColourMap::water(range);
     let [low, top] = numbers(range);
     let (gap, bar, y) = (4 * dot, [80 * dot, 7 * dot], high - 13 * dot);
 
@@ -64,6 +73,22 @@ pub(super) fn colour_bar(canvas: &mut Canvas, map: &ColourMap, range: [f32; 2], 
     let before = start - gap - width(&low, dot);
     write(canvas, [before, y], dot, &low);
     write(canvas, [before - 3 * gap - width(label, dot), y], dot, label);
+}
+
+/// Draws each colour and its name beside it.
+fn swatches(canvas: &mut Canvas, key: &[Swatch]) {
+    let (wide, high, dot) = (canvas.width() as i32, canvas.height() as i32, dot(canvas.height()));
+    let (gap, side, y) = (4 * dot, 7 * dot, high - 13 * dot);
+    let encoder = Encoder::new();
+    let mut after = wide - 6 * dot;
+    for swatch in key.iter().rev() {
+        let name = after - width(swatch.name(), dot);
+        let square = name - gap - side;
+        write(canvas, [name, y], dot, swatch.name());
+        canvas.fill([square - 1, y - 1], [side + 2, side + 2], INK);
+        canvas.fill([square, y], [side, side], encoder.bytes(swatch.light()));
+        after = square - gap;
+    }
 }
 
 /// The ends of the range, with as many decimals as tell one from the other to about three places.

@@ -6,6 +6,7 @@ fn pass_body(a: u32) {
   if m.wall_particles == MIRRORED && kind(new_velocity[a].w).y > 0.0f { return; }
   let x_a = new_position[a].xyz;
   let v_a = predicted(a);
+  let own_kind = kind(new_velocity[a].w);
   let own = cell_of(x_a);
   var rate = 0.0f;
   for (var i = 0u; i < stencil_cells(); i += 1u) {
@@ -17,12 +18,16 @@ fn pass_body(a: u32) {
       var scale = 1.0f;
       if m.variable_support == 1u { scale = pair_scale(previous[a].z, previous[b].z); }
       if less(squared_ratio(x_ab, scale), 1.0f) {
-        rate = rate + continuity_neighbour(x_ab, v_a - predicted(b), x_b.w, scale);
+        let kind_b = kind(new_velocity[b].w);
+        let mass_b = mass_seen(own_kind.z, x_b.w, kind_b.z, kind_b.y);
+        rate = rate + continuity_neighbour(x_ab, v_a - predicted(b), mass_b, scale);
       }
     }
   }
   let state = new_density_pressure[a];
-  let after = pressure_corrected(state.y, density_miss(state.y, state.x, rate));
+  let k = stiffness_of(new_velocity[a].w);
+  rate = deviation_rate(rate, new_position[a].w, own_kind.z);
+  let after = pressure_corrected(state.y, density_miss(state.y, state.x, rate, k.compressibility), k.correction);
   new_density_pressure[a] = vec4(state.x, after, state.z, state.w);
-  atomicMax(&head.status.residual, bitcast<u32>(residual(state.y, after)));
+  atomicMax(&head.status.residual, bitcast<u32>(residual(state.y, after, k.inverse_correction)));
 }

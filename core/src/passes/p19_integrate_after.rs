@@ -1,5 +1,5 @@
 //! Second half of the integrator, then the walls; and a look at every number that is about to become the state.
-use super::{Setup, load, load_wall, store_xyz};
+use super::{Setup, load, row_of, store_xyz};
 use crate::arithmetic::level::Work;
 use crate::arithmetic::real::{Real, real, vec3};
 use crate::error::Quantity;
@@ -62,7 +62,7 @@ impl Work for &mut Job<'_> {
                 kick::<R>(load(self.velocity, first, end - 1), load(self.acceleration, first, end - 1), half_dt);
             if m.walls == 1 {
                 let mut x = load::<R>(self.position, first, end - 1);
-                let wall = load_wall::<R>(p, self.velocity, first, end - 1);
+                let wall = row_of::<R>(m, &p.species, self.velocity, first, end - 1, 1);
                 for plane in &p.planes[..p.plane_count as usize] {
                     let normal = vec3::splat(*plane);
                     let depth = depth_if_free(m, depth_behind(x, normal, real(plane[3])), wall);

@@ -32,7 +32,7 @@ impl PairPass for Heat<'_> {
             let v_ab = v_a - velocity_at_step(p, b.velocity, vec3::splat(self.acceleration[index]));
             sum + heat_neighbour(m, p, t, a, b, v_ab)
         });
-        let mut rate = heat_close(p, sum, a.deviation);
+        let mut rate = heat_close(m, p, sum, a);
         if m.exchange == 1 {
             let (heat, shares) = fold!(block, (real::<R>(0.0), real::<R>(0.0)), |(heat, shares), index| {
                 let b = particles.neighbour(setup, index);
@@ -46,7 +46,7 @@ impl PairPass for Heat<'_> {
         for (lane, own) in own.iter_mut().enumerate() {
             // a wall keeps no account
             let velocity = particles.velocity[first + lane];
-            if super::kind(p, velocity[3])[1] == 0.0 {
+            if !super::is_wall(p, velocity[3]) {
                 *own = [energy.lane(lane), rate.lane(lane), 0.0, 0.0];
             }
         }

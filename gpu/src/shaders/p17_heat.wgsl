@@ -25,7 +25,7 @@ fn pass_body(i: u32) {
       }
     }
   }
-  var rate = heat_close(sum, a.deviation);
+  var rate = heat_close(sum, a);
   if m.exchange == 1u { rate = rate + heat * exchange_close(shares); }
   let before = new_heat[i];
   new_heat[i] = vec4(heat_stepped(before.x, before.y, rate), rate, 0.0f, 0.0f);

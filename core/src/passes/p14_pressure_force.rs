@@ -30,8 +30,11 @@ impl PairPass for PressureForce<'_> {
         let force =
             fold!(block, nothing, |force, b| force + pressure_neighbour(m, p, t, a, particles.neighbour(setup, b)));
         let free = load::<R>(self.free, block.first, block.last);
-        let all = flush3(free + acceleration_close(p, force, a.deviation));
+        let all = flush3(free + acceleration_close(m, p, force, a));
         store(own, core::hint::black_box(if_free(m, all, a.wall)));
+        for (own, free) in own.iter_mut().zip(&self.free[block.first..]) {
+            own[3] = free[3];
+        }
         0
     }
 }

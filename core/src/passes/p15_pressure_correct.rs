@@ -4,10 +4,10 @@ use super::pairs::{Block, Job, PairPass, fold};
 use crate::arithmetic::real::{Real, less, real, select, vec3};
 use crate::layout::f32x4;
 use crate::terms::correction::{density_miss, predicted_velocity, pressure_corrected, residual};
-use crate::terms::density::continuity_neighbour;
+use crate::terms::density::{continuity_neighbour, deviation_rate};
 use crate::terms::kernel::if_inside;
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
-use crate::terms::wall::MIRRORED;
+use crate::terms::wall::{MIRRORED, mass_seen};
 
 /// Corrects the pressures of `density_pressure`; returns the largest miss, as the bits of a number that is not negative.
 pub(crate) struct PressureCorrect<'a> {
@@ -35,15 +35,19 @@ impl PairPass for PressureCorrect<'_> {
             let scale = pair_scale(m, a.support, b.support);
             let v_ab = v_a - predicted_velocity(p, b.velocity, vec3::splat(self.acceleration[index]));
             let q2 = squared_ratio(m, p, x_ab, scale);
-            rate + if_inside(q2, continuity_neighbour(m, p, t, x_ab, v_ab, b.mass, scale))
+            let mass = mass_seen(m, a.rest, b.mass, b.rest, b.wall);
+            rate + if_inside(q2, continuity_neighbour(m, p, t, x_ab, v_ab, mass, scale))
         });
         let of = |i: usize| R::from_lanes(|lane| own[lane.min(last - first)][i]);
         let (deviation, before) = (of(0), of(1));
-        let mut after = pressure_corrected(m, p, before, density_miss(m, p, before, deviation, rate));
+        let k = particles.stiffness::<R>(setup, first, last);
+        let rate = deviation_rate(m, p, rate, a.mass, a.rest);
+        let miss = density_miss(m, p, before, deviation, rate, k.compressibility);
+        let mut after = pressure_corrected(m, before, miss, k.correction);
         if m.wall_particles == MIRRORED {
             after = select(after, real(0.0), less(real(0.0), a.wall));
         }
-        let left = residual(p, before, after);
+        let left = residual(before, after, k.inverse_correction);
         let mut largest = 0;
         for (lane, own) in own.iter_mut().enumerate() {
             own[1] = after.lane(lane);

@@ -3,7 +3,7 @@ fn pass_body(i: u32) {
   if i >= p.particle_count || head.status.failed != 0u || head.status.settled > 1u { return; }
   let a = local(i);
   if a.wall > 0.0f {
-    new_acceleration[i] = vec4(0.0f, 0.0f, 0.0f, 0.0f);
+    new_acceleration[i] = vec4(0.0f, 0.0f, 0.0f, free[i].w);
     return;
   }
   let own = cell_of(a.position);
@@ -16,5 +16,5 @@ fn pass_body(i: u32) {
       if is_near(a, b) { force = force + pressure_neighbour(a, b); }
     }
   }
-  new_acceleration[i] = vec4(flush3(free[i].xyz + acceleration_close(force, a.deviation)), 0.0f);
+  new_acceleration[i] = vec4(flush3(free[i].xyz + acceleration_close(force, a)), free[i].w);
 }

@@ -1,0 +1,382 @@
+//! `rayleigh-taylor`: the catalogue's case M2, the set-up of Grenier et al. 2009. A heavy fluid lies over a light one, and a
+//! ripple of their interface grows at a known rate while it is small. And what the instability is about: a drop of oil rises
+//! through water.
+//!
+//! The catalogue's rate is that of flow without rotation, less what viscosity costs this flow: 1.165 1/s. But two viscous
+//! fluids do not slide past each other as such a flow does. With velocities and stresses that go on across the interface
+//! the same theory gives 1.050 1/s, and with that the particles are compared; the figures for the other are in the table.
+use super::flow::{fluid, grid, mean, start_with, step, steps_to};
+use super::outcome::table;
+use super::reference::{entry, number, rows};
+use super::{Context, Figure, Outcome};
+use crate::failure::Failure;
+use crate::memory::Heap;
+use millpond_core::guided::support_radius;
+use millpond_core::scene::{
+    Block, DensityForm, Dimension, Face, Fluid, ModelChoice, Periodic, Place, PressureForce, Scene, Wall, WallShape,
+    places,
+};
+use millpond_core::{Particle, Solver};
+use std::f64::consts::PI;
+
+const NAME: &str = "rayleigh-taylor";
+
+/// Rest densities below and above, kg/m3; kinematic viscosity of both, m2/s; m/s2.
+const DENSITIES: [f64; 2] = [1000.0, 1800.0];
+const NU: f64 = 1.0 / 210.0;
+const GRAVITY: f64 = 1.0;
+
+/// Depth of each fluid, m. The domain is as wide as a wave is long: one metre.
+const DEPTH: f64 = 1.0;
+const WAVE_NUMBER: f64 = 2.0 * PI;
+
+/// Of the light fluid, ten times `sqrt(2 g)`, m/s; the heavy one is as hard to compress.
+const SPEED_OF_SOUND: f64 = 14.0;
+
+/// Share of the support that sound travels in a step.
+const COURANT: f64 = 0.2;
+
+/// Particles along a wave.
+const FINE: u16 = 100;
+const COARSE: u16 = 50;
+
+/// Of the ripple at the start, m; and parts in which it is made, so that no volume is lost.
+const AMPLITUDE: f64 = 0.01;
+const PARTS: u16 = 20;
+
+/// The rate is fitted from this time on, s, while the amplitude is below this share of `1 / k`. At the end it is larger.
+const SETTLED: f64 = 0.1;
+const SMALL: f64 = 0.3;
+const END: f64 = 1.6;
+const STEPS_PER_SAMPLE: u64 = 5;
+
+/// Of the issue: 10 % of the rate, at 100 particles along a wave.
+const LIMIT: f64 = 0.10;
+
+/// The table has six digits.
+const FORMULA_LIMIT: f64 = 1e-5;
+
+type Form = (DensityForm, PressureForce);
+
+/// The first one has limits.
+const FORMS: [Form; 4] = [
+    (DensityForm::SummationAdapted, PressureForce::MonaghanAdapted),
+    (DensityForm::ContinuityAdapted, PressureForce::MonaghanAdapted),
+    (DensityForm::Summation, PressureForce::Monaghan),
+    (DensityForm::Continuity, PressureForce::Monaghan),
+];
+
+/// Of the drop of oil: densities of water and oil, kg/m3; viscosity of both, Pa s; the closed tank, the drop's centre and
+/// radius, m.
+const WATER: f32 = 1000.0;
+const OIL: f32 = 600.0;
+const OIL_VISCOSITY: f32 = 0.5;
+const TANK: [f32; 2] = [0.6, 1.0];
+const CENTRE: [f32; 2] = [0.3, 0.3];
+const RADIUS: f32 = 0.1;
+
+/// m, a whole share of the tank; speed of sound of water, ten times `sqrt(g H)`, m/s.
+const OIL_SPACING: f32 = 0.02;
+const WATER_SOUND: f32 = 10.0;
+
+/// How long it rises, s; the part at its start from which its acceleration is taken, after sound has crossed the tank.
+const RISE_END: f64 = 4.0;
+const STARTING: [f64; 2] = [0.1, 0.4];
+
+/// Radii by which the centroid of the oil must have risen; there is room for six.
+const RISE: f64 = 2.0;
+
+pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
+    let mode = Mode::growing(NU);
+    let across = if context.quick { COARSE } else { FINE };
+    let judged = growth(context, across, FORMS[0], &mode)?;
+    let name = format!("growth rate off by, {across} along a wave, {}", FORMS[0].0.name());
+    let mut figures = vec![
+        Figure::below("formula against the table of the catalogue", formula_error()?, FORMULA_LIMIT),
+        Figure::below(name, (judged / mode.rate - 1.0).abs(), LIMIT),
+    ];
+    let mut lines = vec![line(across, FORMS[0], &mode, &Ok(judged))];
+    if !context.quick {
+        for form in FORMS {
+            lines.push(line(COARSE, form, &mode, &growth(context, COARSE, form, &mode)));
+        }
+    }
+    let titles = ["along a wave", "density, pressure force", "rate, 1/s", "off by", "off the catalogue's formula by"];
+    let note = format!(
+        "Linear theory: {:.4} 1/s between viscous fluids, {:.4} 1/s by the catalogue's formula, {:.4} 1/s without \
+         viscosity. Fitted from {SETTLED} s on, while k a < {SMALL}.",
+        mode.rate,
+        formula(NU),
+        formula(0.0)
+    );
+    let (risen, words) = rise(context)?;
+    figures.push(Figure::above("height that oil rose through water, over its radius", risen, RISE));
+    Ok(Outcome::new(NAME, figures, vec![note, table(titles, lines), words]))
+}
+
+fn line(across: u16, form: Form, mode: &Mode, rate: &Result<f64, Failure>) -> [String; 5] {
+    let off = |rate: f64, exact: f64| format!("{:+.1} %", (rate / exact - 1.0) * 100.0);
+    let [words, exact, by_formula] = match rate {
+        Ok(rate) => [format!("{rate:.4}"), off(*rate, mode.rate), off(*rate, formula(NU))],
+        Err(failure) => [failure.to_string(), String::new(), String::new()],
+    };
+    [across.to_string(), format!("{}, {}", form.0.name(), form.1.name()), words, exact, by_formula]
+}
+
+/// The catalogue's rate, 1/s: `sqrt(gamma^2 + nu^2 k^4) - nu k^2`, with `gamma^2 = A g k tanh(k h)` and Atwood's number A.
+fn formula(nu: f64) -> f64 {
+    let [below, above] = DENSITIES;
+    let atwood = (above - below) / (above + below);
+    let square = atwood * GRAVITY * WAVE_NUMBER * (WAVE_NUMBER * DEPTH).tanh();
+    let lost = nu * WAVE_NUMBER * WAVE_NUMBER;
+    (square + lost * lost).sqrt() - lost
+}
+
+/// How far the formula is from the first two rows of the table, with viscosity and without, as a share of them.
+fn formula_error() -> Result<f64, Failure> {
+    let mut worst = 0.0f64;
+    let table = rows(include_str!("../../data/rayleigh-taylor.csv"));
+    for (row, nu) in table.zip([NU, 0.0]) {
+        let expected = number(entry(&row, 3)?)?;
+        worst = worst.max((formula(nu) / expected - 1.0).abs());
+    }
+    Ok(worst)
+}
+
+/// A ripple on the interface of two deep fluids of one kinematic viscosity (Chandrasekhar 1961, chapter 10). At a distance d
+/// from the interface it moves up by `(a e^(-k d) + b e^(-q d)) sin(k x)`: a part without rotation, and the rotation that
+/// spreads from the interface by viscosity while the ripple grows, `q^2 = k^2 + n / nu`.
+#[derive(Clone, Copy, Debug)]
+struct Mode {
+    /// n, 1/s.
+    rate: f64,
+    /// q, 1/m.
+    decay: f64,
+    /// a and b, below and above.
+    parts: [[f64; 2]; 2],
+}
+
+impl Mode {
+    /// The mode that grows: the root of [`Mode::stress`], which falls as the rate rises.
+    fn growing(nu: f64) -> Mode {
+        let (mut slow, mut fast) = (0.001 * formula(0.0), 1.001 * formula(0.0));
+        for _ in 0..60 {
+            let rate = (slow + fast) / 2.0;
+            if Mode::of_rate(rate, nu).stress(nu) > 0.0 {
+                slow = rate;
+            } else {
+                fast = rate;
+            }
+        }
+        Mode::of_rate(slow, nu)
+    }
+
+    /// What would grow at this rate: its velocities and its shear stress go on across the interface.
+    fn of_rate(rate: f64, nu: f64) -> Mode {
+        let (k, [below, above]) = (WAVE_NUMBER, DENSITIES);
+        let decay = (k * k + rate / nu).sqrt();
+        // a + b = 1 on both sides; the velocity along x fixes the sum of both b, the stress their difference
+        let sum = -2.0 * k / (decay - k);
+        let b = (below * sum - 2.0 * k * k * nu * (above - below) / rate) / (above + below);
+        Mode { rate, decay, parts: [sum - b, b].map(|b| [1.0 - b, b]) }
+    }
+
+    /// Normal stress that is left over at the interface, over the amplitude of the velocity there: none, of a mode.
+    fn stress(&self, nu: f64) -> f64 {
+        let (k, [below, above], [[a_below, b_below], [a_above, _]]) = (WAVE_NUMBER, DENSITIES, self.parts);
+        let weight = (above - below) * GRAVITY / self.rate;
+        let inertia = self.rate * (below * a_below + above * a_above) / k;
+        let viscous = 2.0 * nu * (above - below) * (k * a_below + self.decay * b_below);
+        weight - inertia + viscous
+    }
+
+    /// Displacement at a place in the fluid below (0) or above (1), for a ripple of amplitude 1; no volume changes.
+    fn displacement(&self, [x, y]: [f64; 2], fluid: usize) -> [f64; 2] {
+        let (k, [a, b]) = (WAVE_NUMBER, self.parts[fluid]);
+        let up = if fluid == 1 { 1.0 } else { -1.0 };
+        // a particle that has moved beyond the level interface is still in its own fluid
+        let d = up * (y - DEPTH);
+        let (even, rotating) = (a * (-k * d).exp(), b * (-self.decay * d).exp());
+        let slope = -up * (k * even + self.decay * rotating);
+        [slope / k * (k * x).cos(), (even + rotating) * (k * x).sin()]
+    }
+}
+
+fn scene(across: u16, (density, pressure_force): Form) -> Scene {
+    let fluid = |i: usize| Fluid {
+        rest_density: DENSITIES[i] as f32,
+        speed_of_sound: (SPEED_OF_SOUND * (DENSITIES[0] / DENSITIES[i]).sqrt()) as f32,
+        dynamic_viscosity: (NU * DENSITIES[i]) as f32,
+        ..Fluid::default()
+    };
+    let depth = DEPTH as f32;
+    let below = Block { size: [1.0, depth, 0.0], ..Block::default() };
+    let above = Block { fluid: 1, corner: [0.0, depth, 0.0], ..below };
+    let mut scene = Scene::of(Dimension::Two, 1.0 / f32::from(across), 1.0, fluid(0), below);
+    scene.other_fluids = [fluid(1)].into_iter().collect();
+    scene.blocks = [below, above].into_iter().collect();
+    scene.time_step = (COURANT * support_radius(&scene) / SPEED_OF_SOUND) as f32;
+    scene.gravity = [0.0, -GRAVITY as f32, 0.0];
+    scene.periodic = Some(Periodic { low: [0.0; 3], high: [1.0, 2.0 * depth, 0.0], axes: [true, false, false] });
+    let wall = |fluid: u32, face, y| {
+        let shape = WallShape::Plane { face, low: [0.0, y, 0.0], high: [1.0, y, 0.0] };
+        Wall { fluid, ..Wall::still(shape) }
+    };
+    scene.walls = [wall(0, Face::Floor, 0.0), wall(1, Face::Ceiling, 2.0 * depth)].into_iter().collect();
+    scene.model = model((density, pressure_force));
+    scene.grid = grid(Dimension::Two, 64);
+    scene
+}
+
+/// The pressure that holds the weight is there from the start: no sound shakes the ripple.
+fn model((density, pressure_force): Form) -> ModelChoice {
+    ModelChoice { density, pressure_force, hydrostatic_start: true, calibrated_mass: true, ..ModelChoice::multiphase() }
+}
+
+/// The lattice, moved by the mode and moving as it does. Masses and densities stay those of the level fluids.
+fn rippled(scene: &Scene, mode: &Mode) -> Vec<Place> {
+    let fluid = scene.fluid_count();
+    let moved = |place: Place| {
+        let (own, [x, y, _]) = (usize::from(place.species == 1), place.position.map(f64::from));
+        let mut at = [x, y];
+        for _ in 0..PARTS {
+            let by = mode.displacement(at, own).map(|by| by * AMPLITUDE / f64::from(PARTS));
+            at = [at[0] + by[0], at[1] + by[1]];
+        }
+        let [u, v] = mode.displacement(at, own).map(|by| (by * AMPLITUDE * mode.rate) as f32);
+        Place { position: [at[0].rem_euclid(1.0) as f32, at[1] as f32, 0.0], velocity: [u, v, 0.0], ..place }
+    };
+    places(scene).enumerate().map(|(i, place)| if i < fluid { moved(place) } else { place }).collect()
+}
+
+/// Rate at which the ripple grows, 1/s.
+fn growth(context: &Context, across: u16, form: Form, mode: &Mode) -> Result<f64, Failure> {
+    let scene = scene(across, form);
+    let mut heap = Heap::of(&scene);
+    let mut solver = start_with(NAME, &scene, rippled(&scene, mode), &mut heap)?;
+    let (mut samples, mut small) = (Vec::new(), true);
+    let title = format!("{NAME} {across} {}", form.0.name());
+    step(&title, context, &mut solver, steps_to(&scene, END), STEPS_PER_SAMPLE, |solver| {
+        let amplitude = amplitude(solver, usize::from(across));
+        // once it is large, it stays out: a NaN, too
+        small = small && amplitude * WAVE_NUMBER < SMALL;
+        if small && solver.time() >= SETTLED {
+            samples.push([solver.time(), amplitude.ln()]);
+        }
+    })?;
+    Ok(slope(&samples))
+}
+
+/// Amplitude of the ripple, m: what the two rows at the interface have of a sine, by where their particles began. The level
+/// of the rows drops out of the sum.
+fn amplitude(solver: &Solver<'_>, across: usize) -> f64 {
+    let rows = solver.particles().skip(across * (across - 1)).take(2 * across);
+    let part = |(i, particle): (usize, Particle)| {
+        let x = ((i % across) as f64 + 0.5) / across as f64;
+        2.0 * f64::from(particle.position.y) * (WAVE_NUMBER * x).sin()
+    };
+    let parts: Vec<f64> = rows.enumerate().map(part).collect();
+    mean(&parts, |part| *part)
+}
+
+/// Slope of the line that fits best.
+fn slope(points: &[[f64; 2]]) -> f64 {
+    let centre = [0, 1].map(|i| mean(points, |point| point[i]));
+    let product = |i: usize, j: usize| mean(points, |point| (point[i] - centre[i]) * (point[j] - centre[j]));
+    product(0, 1) / product(0, 0)
+}
+
+/// How far a drop of oil rises in water, in radii, and how its start compares with `g (r1 - r2) / (r2 + C r1)`, C = 1: a
+/// cylinder takes as much water along as it displaces.
+fn rise(context: &Context) -> Result<(f64, String), Failure> {
+    let scene = oil_in_water();
+    // water everywhere, and some of it is oil: at the same pressure it is as much compressed
+    let centre = CENTRE;
+    let relabelled = |place: Place| {
+        let [x, y, _] = place.position;
+        let inside = (x - centre[0]).hypot(y - centre[1]) < RADIUS;
+        if inside { Place { species: 1, ..place } } else { place }
+    };
+    let start = places(&scene).enumerate();
+    let count = scene.fluid_count();
+    let start = start.map(|(i, place)| if i < count { relabelled(place) } else { place }).collect();
+    let mut heap = Heap::of(&scene);
+    let mut solver = start_with(NAME, &scene, start, &mut heap)?;
+    let before = oil(&solver)[0];
+    let mut speeds = Vec::new();
+    let steps = steps_to(&scene, RISE_END);
+    step("oil in water", context, &mut solver, steps, STEPS_PER_SAMPLE, |solver| {
+        if solver.time() >= STARTING[0] && solver.time() <= STARTING[1] {
+            speeds.push([solver.time(), oil(solver)[1]]);
+        }
+    })?;
+    let risen = (oil(&solver)[0] - before) / f64::from(RADIUS);
+    let [heavy, light] = [WATER, OIL].map(f64::from);
+    let words = format!(
+        "Oil of {light} kg/m3 in water rose by {risen:.2} radii in {RISE_END} s. It started with {:.3} m/s2, a cylinder \
+         in endless water without viscosity with {:.3} m/s2.",
+        slope(&speeds),
+        GRAVITY * (heavy - light) / (light + heavy)
+    );
+    Ok((risen, words))
+}
+
+fn oil_in_water() -> Scene {
+    let water = Fluid {
+        rest_density: WATER,
+        speed_of_sound: WATER_SOUND,
+        dynamic_viscosity: OIL_VISCOSITY,
+        ..Fluid::default()
+    };
+    let oil = Fluid { rest_density: OIL, speed_of_sound: WATER_SOUND * (WATER / OIL).sqrt(), ..water };
+    let [width, height] = TANK;
+    let block = Block { size: [width, height, 0.0], ..Block::default() };
+    let mut scene = Scene::of(Dimension::Two, OIL_SPACING, 1.0, water, block);
+    scene.other_fluids = [oil].into_iter().collect();
+    scene.time_step = (COURANT * support_radius(&scene) / f64::from(oil.speed_of_sound)) as f32;
+    scene.gravity = [0.0, -GRAVITY as f32, 0.0];
+    let tank = WallShape::Box { low: [0.0; 3], high: [width, height, 0.0], open: [].into_iter().collect() };
+    scene.walls = [Wall::still(tank)].into_iter().collect();
+    scene.model = model(FORMS[0]);
+    scene.grid = grid(Dimension::Two, 32);
+    scene
+}
+
+/// Mean height of the oil, m, and its mean speed upwards, m/s.
+fn oil(solver: &Solver<'_>) -> [f64; 2] {
+    let mut oil = fluid(solver);
+    oil.retain(|particle| particle.fluid == 1);
+    [mean(&oil, |p| f64::from(p.position.y)), mean(&oil, |p| f64::from(p.velocity.y))]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn viscosity_slows_the_mode_and_none_leaves_the_formula() {
+        // a finite-element solution of the same equations, between walls, gives 1.04993
+        assert!((Mode::growing(NU).rate - 1.04995).abs() < 1e-5);
+        let ideal = Mode::growing(1e-9).rate;
+        assert!((ideal / formula(0.0) - 1.0).abs() < 1e-3);
+        assert!(formula_error().is_ok_and(|error| error < FORMULA_LIMIT));
+    }
+
+    #[test]
+    fn the_mode_keeps_volumes_and_does_not_tear() {
+        let mode = Mode::growing(NU);
+        for fluid in [0, 1] {
+            let (at, step) = ([0.3, 1.1], 1e-5);
+            let along = |axis: usize| {
+                let mut beside = [at; 2];
+                beside[0][axis] += step;
+                beside[1][axis] -= step;
+                let [after, before] = beside.map(|at| mode.displacement(at, fluid)[axis]);
+                (after - before) / (2.0 * step)
+            };
+            assert!((along(0) + along(1)).abs() < 1e-6);
+        }
+        let [below, above] = [0, 1].map(|fluid| mode.displacement([0.3, DEPTH], fluid));
+        assert!((below[0] - above[0]).abs() < 1e-9 && (below[1] - above[1]).abs() < 1e-9);
+    }
+}
