@@ -1,9 +1,10 @@
 //! Promise: choices that do not go together are refused by name before the first step, and only those.
-use millpond_core::SceneError;
 use millpond_core::scene::{
     Block, Correction, DensityForm, Dimension, EquationOfState, Evaluation, Face, FieldLattice, Fluid, Iteration,
-    Kernel, ModelChoice, NearPressure, Periodic, PressureForce, Scene, SupportRange, Viscosity, Wall, WallShape,
+    Kernel, ModelChoice, NearPressure, Periodic, Plasticity, PressureForce, Scene, SupportRange, SurfaceTension,
+    Viscosity, Wall, WallShape,
 };
+use millpond_core::{SceneError, Solver};
 
 fn scene(change: impl FnOnce(&mut Scene)) -> Result<(), SceneError> {
     let block = Block { size: [0.4, 0.4, 0.4], ..Block::default() };
@@ -70,6 +71,18 @@ fn by_name() {
         s.fluid.stiffness = Some(1000.0);
         s.model.equation_of_state = EquationOfState::Desbrun;
     });
+    refused("equation_of_state", "PressureCorrection", |s| {
+        s.fluid.equation_of_state = Some(EquationOfState::PressureCorrection);
+        s.model.pressure_force = PressureForce::Monaghan;
+    });
+    refused("other_fluids.alpha", "first", |s| {
+        let _ = s.other_fluids.push(Fluid { alpha: 0.5, ..Fluid::default() });
+    });
+    refused("viscosity MuellerAdapted", "not adapted", |s| s.model.viscosity = Viscosity::MuellerAdapted);
+    refused("surface_tension", "Off", |s| s.fluid.surface_tension = 1.0);
+    refused("surface_tension Curvature", "edge", |s| {
+        (s.model.surface_tension, s.model.density_kernel) = (SurfaceTension::Curvature, Kernel::Spiky);
+    });
     refused("near_stiffness", "Off", |s| {
         s.fluid.near_stiffness = Some(1.0);
         s.model.near_pressure = NearPressure::Off;
@@ -101,6 +114,15 @@ fn bounds() {
         let result = scene(|s| s.model.correction.iterations = iterations);
         assert!(matches!(result, Err(SceneError::CapacityExceeded { needed, .. }) if needed == iterations as usize));
     }
+    let result = scene(|s| s.blocks[0].fluid = 1);
+    assert_eq!(result, Err(SceneError::NoSuchFluid { field: "blocks.fluid", fluid: 1, fluids: 1 }));
+    let result = scene(|s| {
+        let _ = s.other_fluids.push(Fluid { rest_density: -1.0, ..Fluid::default() });
+    });
+    assert_eq!(result, Err(SceneError::NotPositive { field: "other_fluids.rest_density", value: -1.0 }));
+    let plasticity = Some(Plasticity { rate: 2000.0, yield_strain: 0.1 });
+    let result = scene(|s| s.elasticity.plasticity = plasticity);
+    assert!(matches!(result, Err(SceneError::OutOfBounds { field: "elasticity.plasticity.rate", .. })), "{result:?}");
     let result = scene(|s| s.field = Some(FieldLattice { low: [0.0; 3], spacing: 0.1, counts: [4, 1, 4] }));
     assert_eq!(result, Err(SceneError::TooFewNodes { axis: 1, nodes: 1 }));
     let axes = [false, true, false];
@@ -131,4 +153,20 @@ fn bounds() {
 #[test]
 fn the_modern_choice_is_one() {
     assert_eq!(scene(|s| s.model = ModelChoice::modern()), Ok(()));
+}
+
+#[test]
+fn springs_that_do_not_fit() {
+    let block = Block { size: [0.2, 0.1, 0.0], ..Block::default() };
+    let jelly = Fluid { elastic_stiffness: 10.0, ..Fluid::default() };
+    let mut scene = Scene::of(Dimension::Two, 0.05, 0.001, jelly, block);
+    let solver = |scene: &Scene| {
+        let mut heap = millpond::memory::Heap::of(scene);
+        Solver::new(scene, heap.lend()).map(|solver| solver.springs().count())
+    };
+    // 4 x 2 particles: 4 + 6 along the sides of the squares, 6 across them
+    assert_eq!(solver(&scene), Ok(16));
+    scene.elasticity.capacity = Some(15);
+    let refused = SceneError::CapacityExceeded { what: "springs (elasticity.capacity)", needed: 16, capacity: 15 };
+    assert_eq!(solver(&scene), Err(refused));
 }

@@ -5,8 +5,8 @@
 use crate::layout::Model;
 use crate::memory::Needs;
 use crate::scene::{
-    DensityForm, Dimension, EquationOfState, Evaluation, Fluid, GridStructure, ModelChoice, NearPressure,
-    PressureForce, Reflection, Scene, SurfaceTension, Viscosity,
+    DensityForm, Dimension, EquationOfState, Evaluation, Fluid, GridStructure, ModelChoice, NearPressure, Reflection,
+    Scene, SurfaceTension, Viscosity,
 };
 use crate::step::Pass;
 use crate::terms::{near, tension, viscosity, wall};
@@ -85,8 +85,6 @@ impl Plan {
         let near = if choice.near_pressure == NearPressure::Off { NearPressure::Thesis } else { choice.near_pressure };
         let tensionless = choice.surface_tension == SurfaceTension::Off;
         let own_equation = |fluid: &Fluid| fluid.equation_of_state.unwrap_or(choice.equation_of_state);
-        let adapted_force =
-            matches!(choice.pressure_force, PressureForce::MuellerAdapted | PressureForce::MonaghanAdapted);
         let adapted_density = !matches!(choice.density, DensityForm::Summation | DensityForm::Continuity);
         Plan {
             choice,
@@ -119,7 +117,7 @@ impl Plan {
                 states: u32::from(
                     scene.other_fluids.iter().any(|fluid| own_equation(fluid) != own_equation(&scene.fluid)),
                 ),
-                numbers: u32::from(adapted_force && !adapted_density),
+                numbers: u32::from(choice.pressure_force.is_adapted() && !adapted_density),
                 tension: if tensionless { tension::ATTRACTION } else { choice.surface_tension as u32 },
                 normals: 1,
                 springs: 1,

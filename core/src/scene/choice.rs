@@ -106,6 +106,17 @@ choice! {
         MuellerAdapted = pressure::MUELLER_ADAPTED => &["pressure_mueller"],
         /// Monaghan's on the number density (S0 section 4.1.2 per errata), likewise.
         MonaghanAdapted = pressure::MONAGHAN_ADAPTED => &["pressure_number_density"],
+        /// Weighted by the densities of a pair, on the number density (Hu and Adams 2007): where two fluids meet, the one that
+        /// holds the lighter one at rest too.
+        DensityWeighted = pressure::DENSITY_WEIGHTED => &["pressure_density_weighted"],
+    }
+}
+
+impl PressureForce {
+    /// Is a particle's volume one over the number density?
+    #[must_use]
+    pub fn is_adapted(self) -> bool {
+        matches!(self, PressureForce::MuellerAdapted | PressureForce::MonaghanAdapted | PressureForce::DensityWeighted)
     }
 }
 

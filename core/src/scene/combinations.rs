@@ -140,12 +140,17 @@ impl Scene {
         if self.model.equation_of_state != EquationOfState::PressureCorrection {
             return Ok(());
         }
-        let iterated = [PressureForce::Monaghan, PressureForce::MonaghanAdapted, PressureForce::Difference];
+        let iterated = [
+            PressureForce::Monaghan,
+            PressureForce::MonaghanAdapted,
+            PressureForce::DensityWeighted,
+            PressureForce::Difference,
+        ];
         if !iterated.contains(&self.model.pressure_force) {
             return Err(not_together(
                 "model.equation_of_state PressureCorrection",
-                "a model.pressure_force other than Monaghan, MonaghanAdapted or Difference",
-                "its iteration is one of these (S0 section 3.2.2)",
+                "a canonical model.pressure_force, one of Mueller's or one on S4's number density",
+                "its iteration takes the whole gradient (S0 section 3.2.2)",
             ));
         }
         let fastest = self.fluids().map(|fluid| fluid.speed_of_sound).fold(0.0, f32::max);
@@ -191,13 +196,8 @@ impl Scene {
                 }
             }
         }
-        let own_volumes = matches!(
-            model.pressure_force,
-            PressureForce::MuellerAdapted | PressureForce::MonaghanAdapted | PressureForce::NumberDensity
-        ) || matches!(
-            model.density,
-            DensityForm::SummationAdapted | DensityForm::ContinuityAdapted | DensityForm::NumberDensity
-        );
+        let own_volumes = model.pressure_force.is_adapted()
+            || !matches!(model.density, DensityForm::Summation | DensityForm::Continuity);
         if model.viscosity == Viscosity::MuellerAdapted && !own_volumes {
             return Err(not_together(
                 "model.viscosity MuellerAdapted",

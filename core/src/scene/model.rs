@@ -93,12 +93,13 @@ impl ModelChoice {
 }
 
 impl ModelChoice {
-    /// The modern choice for several fluids: its forms adapted to contrasts of density (S0 section 3.4.3).
+    /// The modern choice for several fluids: a density adapted to contrasts (S0 section 3.4.3), and the pressure force that
+    /// holds still where they meet.
     #[must_use]
     pub fn multiphase() -> ModelChoice {
         ModelChoice {
             density: DensityForm::SummationAdapted,
-            pressure_force: PressureForce::MonaghanAdapted,
+            pressure_force: PressureForce::DensityWeighted,
             ..ModelChoice::modern()
         }
     }

@@ -18,6 +18,8 @@ pub const NUMBER_DENSITY_FORCE: u32 = 4;
 pub const MUELLER_ADAPTED: u32 = 5;
 /// S0 section 4.1.2 per errata: symmetric, where volumes are `1 / delta`.
 pub const MONAGHAN_ADAPTED: u32 = 6;
+/// Hu and Adams 2007, where volumes are `1 / delta`.
+pub const DENSITY_WEIGHTED: u32 = 7;
 
 /// Mueller et al. 2003, eq. 10: `f_a = -sum V_b (P_a + P_b) / 2 grad W` (S0 eq. 2.19).
 ///
@@ -69,6 +71,19 @@ pub fn pressure_monaghan<R: Real>(m: &Model, a: Local<R>, pressure_b: R, volume_
     return pressure_number_density(a, pressure_b, volume_b, slope);
 }
 
+/// Hu and Adams 2007, eq. 12: `F_a = -sum (V_a^2 + V_b^2) (rho_b P_a + rho_a P_b) / (rho_a + rho_b) grad W`. Across an interface pressure
+/// goes on and has a kink, while `grad P / rho` goes on without one: a pressure between two particles that is weighted by the
+/// other's density makes this acceleration, and not the gradient, even.
+#[inline(always)]
+pub fn pressure_density_weighted<R: Real>(a: Local<R>, pressure_b: R, volume_b: R, masses: R, slope: R) -> R {
+    let one: R = real(1.0);
+    let inverse: R = div(one, a.volume);
+    // rho_b / rho_a
+    let densities = masses * div(a.volume, volume_b);
+    let pressure = div(densities * a.pressure + pressure_b, densities + 1.0);
+    return (a.volume + volume_b * (volume_b * inverse)) * pressure * slope;
+}
+
 /// The chosen form, between `a` and what stands for `b`; `masses` is `m_b / m_a`.
 #[inline(always)]
 pub fn pressure_pair<R: Real>(m: &Model, a: Local<R>, pressure_b: R, volume_b: R, masses: R, slope: R) -> R {
@@ -83,6 +98,9 @@ pub fn pressure_pair<R: Real>(m: &Model, a: Local<R>, pressure_b: R, volume_b: R
     }
     if m.pressure_force == DIFFERENCE {
         return pressure_difference(m, a, pressure_b, masses, slope);
+    }
+    if m.pressure_force == DENSITY_WEIGHTED {
+        return pressure_density_weighted(a, pressure_b, volume_b, masses, slope);
     }
     return pressure_number_density(a, pressure_b, volume_b, slope);
 }

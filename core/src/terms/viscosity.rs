@@ -57,9 +57,9 @@ pub fn viscosity_artificial<R: Real>(p: &Parameters, weight: R, sound: R, approa
 /// `rho_a m_b / ((rho_a + rho_b) / 2)`, kg/m3 times m3.
 #[inline(always)]
 pub fn mean_density_weight<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>) -> R {
-    let own = density_ratio(m, a.deviation, a.rest);
-    let both = own + density_ratio(m, b.deviation, b.rest);
-    return div(own * mass_seen(m, a.rest, b.mass, b.rest, b.wall) * p.particle_mass * 2.0, both);
+    let both = (density_ratio(m, a.deviation, a.rest) + density_ratio(m, b.deviation, b.rest)) * p.rest_density;
+    let mass = mass_seen(m, a.rest, b.mass, b.rest, b.wall) * p.particle_mass;
+    return div(local_density(m, p, a) * mass * 2.0, both);
 }
 
 /// Force density of the chosen viscosity that `b` exerts on `a`, N/m3.

@@ -56,6 +56,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let (more, note) = evaluation::figures(context)?;
     figures.extend(more);
     notes.push(note);
+    notes.push(lattice::shear_table());
     Ok(Outcome::new(NAME, figures, notes))
 }
 

@@ -6,12 +6,16 @@ use super::reference::{entry, number, rows};
 use crate::failure::Failure;
 use millpond_core::kernel::{slope, value};
 use millpond_core::scene::Kernel;
+use std::f64::consts::PI;
 
 /// Of the catalogue, beyond what rounding left in its four digits.
 const LIMIT: f64 = 2e-6;
 
 /// Cells of a lattice to each side: the widest support of the table spans four.
 const REACH: i32 = 6;
+
+/// Strain of a lattice whose answer to shear is looked at: small, and well above what rounding leaves of its square.
+const STRAIN: f64 = 0.01;
 
 /// Those of the table; a particle has the volume 1.
 #[derive(Clone, Copy, Debug)]
@@ -110,6 +114,43 @@ pub(super) fn figures() -> Result<(Vec<Figure>, String), Failure> {
     };
     let figures = names.into_iter().zip(worst).map(figure).collect();
     Ok((figures, table(["lattice", "kernel", "h over spacing", "density", "gradient"], lines)))
+}
+
+/// Density sum over a square or cubic lattice that was stretched by this factor along x, and as much narrower along y.
+fn stretched_sum(kernel: Kernel, d: usize, support: f64, stretch: f64) -> f64 {
+    let lattice = if d == 3 { Lattice::Cubic } else { Lattice::Square };
+    let distance = |[x, y, z]: [f64; 3]| (x * x * stretch * stretch + y * y / (stretch * stretch) + z * z).sqrt();
+    let shares = lattice.points().into_iter().map(|point| distance(point) / support).filter(|q| *q < 1.0);
+    kernel.normalisation(d) / support.powi(d as i32) * shares.map(|q| value(kernel, q)).sum::<f64>()
+}
+
+/// How a lattice under a pressure P answers to shear: the density sum gains this share of the square of the strain, and so the
+/// lattice, without a change of volume, as much energy over P. Above 0 it bears shear like a solid; below, it gives way.
+fn shear(kernel: Kernel, d: usize, neighbours: f64) -> f64 {
+    let support = match d {
+        2 => (neighbours / PI).sqrt(),
+        _ => (neighbours * 3.0 / (4.0 * PI)).cbrt(),
+    };
+    let sum = |stretch: f64| stretched_sum(kernel, d, support, stretch);
+    let even = (sum(1.0 + STRAIN) + sum(1.0 / (1.0 + STRAIN))) / 2.0;
+    (even / sum(1.0) - 1.0) / (STRAIN * STRAIN)
+}
+
+/// The kernels that a lattice under pressure meets in practice, by neighbours.
+pub(super) fn shear_table() -> String {
+    let kernels = [Kernel::CubicSpline, Kernel::WendlandC2, Kernel::WendlandC4, Kernel::Poly6];
+    let mut lines = Vec::new();
+    for d in [2, 3] {
+        for neighbours in [20.0, 27.0, 32.0, 40.0, 50.0, 64.0, 80.0] {
+            let [spline, c2, c4, poly6] = kernels.map(|kernel| format!("{:+.4}", shear(kernel, d, neighbours)));
+            lines.push([format!("{d}"), format!("{neighbours}"), spline, c2, c4, poly6]);
+        }
+    }
+    let titles = ["dimension", "neighbours", "cubic spline", "Wendland C2", "Wendland C4", "Poly6"];
+    "Modulus of shear of a lattice under pressure, over the pressure: where it is negative, flow that grows from a lattice \
+     grows too fast, where it is large and positive too slowly.\n\n"
+        .to_owned()
+        + &table(titles, lines)
 }
 
 fn number_of(x: f64) -> String {

@@ -5,12 +5,15 @@
 mod channel;
 mod column;
 mod dam_break_front;
+mod drop;
 mod elastic;
 mod evaluation;
 mod flow;
 mod hydrostatic;
 mod kernels;
+mod laplace_drop;
 mod lattice;
+mod oscillating_drop;
 mod outcome;
 mod pressure_correction;
 mod rayleigh_taylor;
@@ -101,6 +104,16 @@ pub const STUDIES: &[Study] = &[
         run: channel::couette,
     },
     Study { name: "taylor-green", about: "decaying vortices, against the exact solution", run: taylor_green::run },
+    Study {
+        name: "laplace-drop",
+        about: "the pressure in a drop at rest is sigma / R above that around it",
+        run: laplace_drop::run,
+    },
+    Study {
+        name: "oscillating-drop",
+        about: "a drop swings with the period that its tension gives it (Rayleigh; Lamb)",
+        run: oscillating_drop::run,
+    },
     Study {
         name: "two-fluids",
         about: "a light fluid rests on a heavy one, up to a thousand times as heavy",
