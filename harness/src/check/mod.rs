@@ -1,7 +1,8 @@
 //! `check`: named studies, each of which holds the fluid against a reference from outside and says by how much it is off.
 //!
 //! A study has a file of its own, with its settings and limits at the top; [`Outcome`] is what all of them hand back. What
-//! they share: `flow` (starting and stepping), `column` (a tank at rest), `reference` (tables and series).
+//! they share: `flow` (starting and stepping), `column` (a tank at rest), `drop` (a drop at rest), `strata` (two fluids at rest),
+//! `reference` (tables and series). Theory that takes a page stands by itself, in `ripple` and `swing`.
 mod channel;
 mod column;
 mod dam_break_front;
@@ -18,7 +19,10 @@ mod outcome;
 mod pressure_correction;
 mod rayleigh_taylor;
 mod reference;
+mod ripple;
 mod still_tank;
+mod strata;
+mod swing;
 mod taylor_green;
 mod tensile;
 mod two_fluids;

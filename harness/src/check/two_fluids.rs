@@ -4,8 +4,9 @@
 //! The classic density sum smears the heavy fluid's density over the nearest rows of the light one, and the light one's over
 //! the heavy one's: rows that are not compressed at all are pushed apart, or torn in as far as suction acts. The adapted
 //! forms see no other fluid in their densities (S0 section 3.4.3).
-use super::flow::{fluid, grid, larger, mean, rms_speed, start_with, step, steps_to};
+use super::flow::{grid, larger, rms_speed, start_with, step, steps_to};
 use super::outcome::table;
+use super::strata::{GRAVITY, HEAVY, NEAR, Rest, Row, averaged, mixed, near, rows};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::memory::Heap;
@@ -14,17 +15,12 @@ use millpond_core::scene::{
     Block, DensityForm, Dimension, Face, Fluid, Kernel, ModelChoice, PressureForce, Scene, Viscosity, Wall, WallShape,
     places,
 };
-use millpond_core::{Particle, Solver};
 
 const NAME: &str = "two-fluids";
 
 /// Particles along a side of the box of one metre, an even number: the interface is halfway up.
 const SIDE: u16 = 30;
 const QUICK_SIDE: u16 = 20;
-
-/// Of the catalogue's case H1, m/s2; of the heavy fluid, kg/m3.
-const GRAVITY: f32 = 1.0;
-const HEAVY: f32 = 1000.0;
 
 /// Of the heavy fluid, m/s: ten times `sqrt(g H)`. The light one is as hard to compress, `rho c^2` being the same, lest what
 /// is left of noise in the heavy one's pressure crush it: it has the faster sound, and decides the time step.
@@ -48,24 +44,6 @@ const CASES: [Case; 4] = [
 const LAST: f64 = 0.2;
 const STEPS_PER_SAMPLE: u64 = 5;
 
-/// Rows at the floor and at the lid whose pressure does not count: some of their neighbours are walls.
-const MARGIN: usize = 2;
-
-/// Rows on either side of the interface that are looked at one by one.
-const NEAR: usize = 4;
-
-/// Of the catalogue: rms speed over `sqrt(g H)`.
-const SPEED_LIMIT: f64 = 0.01;
-
-/// Of the pressure at the floor, for each row and for the step at the interface.
-const PRESSURE_LIMIT: f64 = 0.05;
-
-/// The distance of the two rows at the interface, off a spacing by.
-const GAP_LIMIT: f64 = 0.1;
-
-/// Density over the fluid's own rest density, off 1 by: the weight makes half a per cent.
-const DENSITY_LIMIT: f64 = 0.02;
-
 /// Of two labels of one fluid: steps after which bits are compared, and the disorder that gives them work, spacings.
 const LABEL_STEPS: u64 = 50;
 const JITTER: f32 = 0.2;
@@ -88,32 +66,6 @@ struct Case {
     ratio: f32,
     end: f64,
     quick_end: f64,
-}
-
-/// Means over the particles of one row of the lattice, and over time.
-#[derive(Clone, Copy, Debug)]
-struct Row {
-    /// m.
-    height: f64,
-    /// Pa.
-    pressure: f64,
-    /// Over the fluid's own rest density.
-    density: f64,
-}
-
-/// What a run came to.
-#[derive(Clone, Debug)]
-struct Rest {
-    ratio: f64,
-    side: f64,
-    seconds: f64,
-    steps: u64,
-    /// Particles beyond the interface by more than a spacing, or out of the box.
-    mixed: usize,
-    /// Largest rms speed, over `sqrt(g H)`.
-    speed: f64,
-    /// From floor to lid.
-    rows: Vec<Row>,
 }
 
 pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
@@ -264,109 +216,6 @@ fn start(scene: &Scene, side: u16) -> Result<Vec<Row>, Failure> {
     Ok(rows(&solver, scene, side))
 }
 
-/// The rows that the particles began in, from floor to lid: the ids of a block run along x, and the lower block is first.
-fn rows(solver: &Solver<'_>, scene: &Scene, side: u16) -> Vec<Row> {
-    let row = |particles: &[Particle]| Row {
-        height: mean(particles, |p| f64::from(p.position.y)),
-        pressure: mean(particles, |p| f64::from(p.pressure)),
-        density: mean(particles, |p| f64::from(p.density) / f64::from(scene.fluid_of(p.fluid).rest_density)),
-    };
-    fluid(solver).chunks(usize::from(side)).map(row).collect()
-}
-
-/// Means over time.
-fn averaged(samples: &[Vec<Row>]) -> Vec<Row> {
-    let row = |i: usize| Row {
-        height: mean(samples, |rows| rows[i].height),
-        pressure: mean(samples, |rows| rows[i].pressure),
-        density: mean(samples, |rows| rows[i].density),
-    };
-    (0..samples.first().map_or(0, Vec::len)).map(row).collect()
-}
-
-fn mixed(solver: &Solver<'_>, side: u16) -> usize {
-    let spacing = 1.0 / f32::from(side);
-    let at_home = |p: &Particle| {
-        let y = if p.fluid == 0 { 0.0..0.5 + spacing } else { 0.5 - spacing..1.0 };
-        (0.0..1.0).contains(&p.position.x) && y.contains(&p.position.y)
-    };
-    fluid(solver).iter().filter(|p| !at_home(p)).count()
-}
-
-/// The rows about the interface, half of them below it; all of what has fewer.
-fn near(rows: &[Row]) -> &[Row] {
-    let first = (rows.len() / 2).saturating_sub(NEAR);
-    rows.get(first..first + 2 * NEAR).unwrap_or(rows)
-}
-
-impl Rest {
-    /// Pressure of a row less `p = g int rho dy` from the lid down, over that at the floor.
-    fn miss(&self, row: &Row) -> f64 {
-        let exact = |y: f64| (0.5 - y).max(0.0) + (1.0 - y).min(0.5) / self.ratio;
-        (row.pressure / f64::from(HEAVY * GRAVITY) - exact(row.height)) / exact(0.0)
-    }
-
-    /// Rows whose pressure counts.
-    fn inner(&self) -> &[Row] {
-        self.rows.get(MARGIN..self.rows.len().saturating_sub(MARGIN)).unwrap_or(&[])
-    }
-
-    /// By how much all of the pressure is off, over that at the floor: a closed box may hold its fluids at any level, and
-    /// half a row more or less between its walls is one.
-    fn level(&self) -> f64 {
-        mean(self.inner(), |row| self.miss(row))
-    }
-
-    fn rms_miss(&self) -> f64 {
-        mean(self.inner(), |row| (self.miss(row) - self.level()).powi(2)).sqrt()
-    }
-
-    fn largest_miss(&self) -> f64 {
-        // no rows at all are no good rows
-        let least = if self.inner().is_empty() { f64::NAN } else { 0.0 };
-        self.inner().iter().map(|row| (self.miss(row) - self.level()).abs()).fold(least, larger)
-    }
-
-    /// What the nearest rows above miss more than those below: a step that the pressure makes at the interface.
-    fn jump(&self) -> f64 {
-        let near = near(&self.rows);
-        let (below, above) = near.split_at(near.len() / 2);
-        mean(above, |row| self.miss(row)) - mean(below, |row| self.miss(row))
-    }
-
-    /// From the highest heavy row to the lowest light one, spacings.
-    fn gap(&self) -> f64 {
-        let (heavy, light) = self.rows.split_at(self.rows.len() / 2);
-        match (heavy.last(), light.first()) {
-            (Some(below), Some(above)) => (above.height - below.height) * self.side,
-            _ => f64::NAN,
-        }
-    }
-
-    /// Largest miss of a density about the interface, over the fluid's own.
-    fn density_miss(&self) -> f64 {
-        let near = near(&self.rows);
-        let least = if near.is_empty() { f64::NAN } else { 0.0 };
-        near.iter().map(|row| (row.density - 1.0).abs()).fold(least, larger)
-    }
-
-    fn figures(&self) -> Vec<Figure> {
-        let name = |what: &str| format!("ratio {}: {what}", self.ratio);
-        vec![
-            Figure::below(name("particles beyond the interface"), self.mixed as f64, 0.0),
-            Figure::below(name("rms speed over sqrt(g H)"), self.speed, SPEED_LIMIT),
-            Figure::below(
-                name("pressure of a row off by, over that at the floor"),
-                self.largest_miss(),
-                PRESSURE_LIMIT,
-            ),
-            Figure::below(name("step of the pressure at the interface"), self.jump().abs(), PRESSURE_LIMIT),
-            Figure::below(name("gap at the interface, off a spacing by"), (self.gap() - 1.0).abs(), GAP_LIMIT),
-            Figure::below(name("density about it over its own, off 1 by"), self.density_miss(), DENSITY_LIMIT),
-        ]
-    }
-}
-
 /// 1 where it makes a difference that one fluid goes by two names, else 0.
 fn labels(context: &Context, side: u16, form: Form) -> Result<f64, Failure> {
     let mut two = scene(side, 1.0, form);
@@ -390,42 +239,4 @@ fn hash(context: &Context, scene: &Scene) -> Result<u64, Failure> {
     let mut solver = start_with(NAME, scene, places(scene).collect(), &mut heap)?;
     step(NAME, context, &mut solver, LABEL_STEPS, LABEL_STEPS, |_| ())?;
     Ok(solver.hash())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A run that came out as it should, of a fluid ten times as heavy.
-    fn perfect() -> Rest {
-        let row = |i: u16| {
-            let height = (f64::from(i) + 0.5) / 20.0;
-            let depths = [(0.5 - height).max(0.0), (1.0 - height).min(0.5)];
-            Row { height, pressure: 1000.0 * depths[0] + 100.0 * depths[1], density: 1.0 }
-        };
-        let rows = (0..20).map(row).collect();
-        Rest { ratio: 10.0, side: 20.0, seconds: 1.0, steps: 1, mixed: 0, speed: 0.0, rows }
-    }
-
-    #[test]
-    fn a_perfect_rest_passes() {
-        assert!(perfect().figures().iter().all(|figure| figure.ok));
-    }
-
-    #[test]
-    fn a_gap_and_a_step_are_seen() {
-        let mut torn = perfect();
-        for row in &mut torn.rows[10..] {
-            row.height += 0.5 / 20.0;
-            row.pressure += 100.0;
-        }
-        assert!((torn.gap() - 1.5).abs() < 1e-12);
-        assert!((torn.jump() - 102.5 / 550.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn no_rows_are_no_rest() {
-        let nothing = Rest { rows: Vec::new(), ..perfect() };
-        assert_eq!(nothing.figures().iter().filter(|figure| figure.ok).count(), 2);
-    }
 }
