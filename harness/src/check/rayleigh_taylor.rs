@@ -278,7 +278,7 @@ fn oil_in_water() -> Scene {
     scene.gravity = [0.0, -GRAVITY as f32, 0.0];
     let tank = WallShape::Box { low: [0.0; 3], high: [width, height, 0.0], open: [].into_iter().collect() };
     scene.walls = [Wall::still(tank)].into_iter().collect();
-    scene.model = model(FORMS[0]);
+    scene.model = ModelChoice { suction: false, ..model(FORMS[0]) };
     scene.grid = grid(Dimension::Two, 32);
     scene
 }

@@ -168,6 +168,8 @@ fn scene(side: u16, ratio: f32, (density, pressure_force): Form) -> Scene {
         density,
         pressure_force,
         viscosity: Viscosity::Artificial,
+        // under the lid the weight leaves no pressure: what pulls there pulls particles into the wall
+        suction: false,
         hydrostatic_start: true,
         calibrated_mass: true,
         density_kernel: kernel,
