@@ -172,6 +172,17 @@ impl<'a> Fluid<'a> {
         }
     }
 
+    /// What became of the coat of air.
+    ///
+    /// # Errors
+    /// The device failed.
+    pub fn air(&self) -> Result<AirReport, Failure> {
+        match self {
+            Fluid::Cpu { solver, .. } => Ok(solver.air()),
+            Fluid::Gpu { solver, .. } => Ok(solver.air()?),
+        }
+    }
+
     /// What it runs on, in words.
     #[must_use]
     pub fn backend(&self) -> String {

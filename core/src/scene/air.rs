@@ -4,7 +4,7 @@
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Air {
-    /// Which of the scene's fluids is the air.
+    /// Which of the scene's fluids is the air; not the first, which is the liquid that the scene's constants are of.
     pub fluid: u32,
     /// Particles of air at most. Those that are not needed take memory and no time.
     pub capacity: u32,
