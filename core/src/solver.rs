@@ -128,14 +128,21 @@ impl<'m> Solver<'m> {
             return Err(SceneError::PlanOfAnotherScene);
         }
         let memory = memory.cut(&Needs { particles: count, ..Needs::by_plan(scene, &plan) })?;
-        let parameters = Parameters {
-            particle_count: count as u32,
-            first_air: first_air(scene, count),
-            ..parameters(scene)
-        };
+        let parameters =
+            Parameters { particle_count: count as u32, first_air: first_air(scene, count), ..parameters(scene) };
         let simd = Simd::detect();
         let settled = Settled::default();
-        let mut solver = Solver { plan, parameters, simd, steps: 0, settled, total_iterations: 0, air_refused: 0, current: 0, memory };
+        let mut solver = Solver {
+            plan,
+            parameters,
+            simd,
+            steps: 0,
+            settled,
+            total_iterations: 0,
+            air_refused: 0,
+            current: 0,
+            memory,
+        };
         fill_tables(&scene.model, scene.dimension.count(), solver.memory.tables);
         solver.memory.field.fill([0.0; 4]);
         solver.fill(scene, places)?;

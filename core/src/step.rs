@@ -205,11 +205,7 @@ pub(crate) fn run(
             let correct = PressureCorrect { acceleration: new.acceleration };
             let residual = pairs::run(setup, executor, unknown, lists, &correct, new.density_pressure);
             begins(Pass::PressureSettle);
-            settled = Settled {
-                iterations: settled.iterations + 1,
-                residual: f32::from_bits(residual),
-                ..settled
-            };
+            settled = Settled { iterations: settled.iterations + 1, residual: f32::from_bits(residual), ..settled };
             if p16_pressure_settle::run(p, residual) {
                 break;
             }

@@ -241,14 +241,7 @@ pub fn arrays(pass: Pass) -> &'static [(Array, Access)] {
             (Previous, Read),
             (NewSmoothing, Write),
         ],
-        Pass::Coat => &[
-            (Head, Read),
-            (Begin, Read),
-            (NewPosition, Read),
-            (Bare, Read),
-            (NewId, Read),
-            (Birth, Write),
-        ],
+        Pass::Coat => &[(Head, Read), (Begin, Read), (NewPosition, Read), (Bare, Read), (NewId, Read), (Birth, Write)],
         Pass::Air => &[
             (Head, Atomic),
             (NewPosition, Write),

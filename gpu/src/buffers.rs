@@ -92,8 +92,7 @@ impl Buffers {
         // what became of the air so far goes on being counted
         let air = solver.air();
         let refused = air.refused.min(u64::from(u32::MAX)) as u32;
-        let status =
-            Status { air_alive: air.alive, air_refused: refused, ..Status::fine(solver.steps() as u32) };
+        let status = Status { air_alive: air.alive, air_refused: refused, ..Status::fine(solver.steps() as u32) };
         let queue = if m.air == 1 { 2 * n - parameters.first_air as usize } else { 0 };
         let head = storage.room("head", size_of::<Status>() + words(cells))?;
         gpu.queue.write_buffer(&head, 0, bytemuck::bytes_of(&status));

@@ -9,10 +9,10 @@ use crate::output::{deliver, make_folder, progress};
 use crate::pool::Pool;
 use crate::scenes::{Named, load};
 use crate::timing::{Milliseconds, timed};
-use millpond_core::{AirReport, CorrectionReport};
 use millpond_core::guided::{particle_mass, support_radius};
 use millpond_core::kernel::slope;
 use millpond_core::scene::{Dimension, EquationOfState, Kernel, NearPressure, Scene};
+use millpond_core::{AirReport, CorrectionReport};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 

@@ -1,6 +1,6 @@
 //! One iteration of pressure: how far the next density would miss, and what mends it. Only where pressure is corrected.
-use super::{is_dormant, load};
 use super::pairs::{Block, Job, PairPass, fold};
+use super::{is_dormant, load};
 use crate::arithmetic::real::{Real, less, real, select, vec3};
 use crate::layout::f32x4;
 use crate::terms::correction::{density_miss, predicted_velocity, pressure_corrected, residual};

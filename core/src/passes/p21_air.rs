@@ -20,12 +20,7 @@ pub(crate) struct Coat {
 }
 
 /// Makes and unmakes particles of `new`; `slot_of` is the slot of each id.
-pub(crate) fn run(
-    setup: Setup<'_>,
-    new: &mut State<'_>,
-    (bare, birth): (&[f32x4], &[u32]),
-    slot_of: &[u32],
-) -> Coat {
+pub(crate) fn run(setup: Setup<'_>, new: &mut State<'_>, (bare, birth): (&[f32x4], &[u32]), slot_of: &[u32]) -> Coat {
     let (m, p) = (setup.model, setup.parameters);
     let (parents, coat) = slot_of.split_at((p.first_air as usize).min(slot_of.len()));
     let mut parents = parents.iter().map(|&slot| slot as usize).filter(|&slot| birth[slot] == 1);

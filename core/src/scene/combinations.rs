@@ -1,8 +1,8 @@
 //! Choices that do not go together, refused by name before anything is touched.
 use super::check::positive;
 use super::{
-    Air, Correction, DensityForm, EquationOfState, Evaluation, Fluid, GridStructure, Iteration, Kernel, NearPressure, PressureForce,
-    Scene, SurfaceTension, Viscosity, WallPressure,
+    Air, Correction, DensityForm, EquationOfState, Evaluation, Fluid, GridStructure, Iteration, Kernel, NearPressure,
+    PressureForce, Scene, SurfaceTension, Viscosity, WallPressure,
 };
 use crate::error::SceneError;
 use crate::guided::least_cell;
