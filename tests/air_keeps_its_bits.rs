@@ -44,30 +44,32 @@ fn a_bare_drop_is_coated_and_stays_so() {
         let mut heap = Heap::of(&scene);
         let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
         assert_eq!(solver.air(), AirReport { alive: 0, refused: 0 }, "none at the start, when time stands still");
-        let water = scene.fluid_count();
         solver.step(&Serial).expect("a step");
         // the first step sees one place a face particle, and fewer where faces meet
         let face = if scene.dimension == Dimension::Two { 4 * 6 } else { 6 * 36 };
         let first = solver.air();
         println!("{:?}: {first:?}", scene.dimension);
         assert!((face / 2..=face + 24).contains(&(first.alive as usize)), "{first:?} of {face}");
+        let mut before: Vec<Particle> = solver.particles().collect();
         for _ in 0..200 {
             solver.step(&Serial).expect("a step");
+            let now: Vec<Particle> = solver.particles().collect();
+            let there: Vec<&Particle> = now.iter().filter(|particle| !particle.dormant).collect();
+            for born in there.iter().filter(|a| before[a.id as usize].dormant) {
+                let others = there.iter().filter(|b| b.id != born.id);
+                let nearest = others.map(|b| b.position.distance(born.position)).fold(f32::INFINITY, f32::min);
+                assert!(nearest > 0.749 * SPACING, "made in the way of others: {} spacings", nearest / SPACING);
+                let water = now[..scene.fluid_count()].iter();
+                let parent = water.map(|b| (b.position.distance(born.position) / SPACING - 1.0).abs());
+                assert!(parent.fold(f32::INFINITY, f32::min) < 1e-3, "made a spacing from its parent");
+            }
+            before = now;
         }
         let air = coat(&solver);
         println!("{:?}: {:?}", scene.dimension, solver.air());
         assert_eq!(air.len(), solver.air().alive as usize);
         assert_eq!(solver.air().refused, 0, "there was room for all");
         assert!(air.len() >= first.alive as usize / 2, "{} are left", air.len());
-        let all: Vec<Particle> = solver.particles().filter(|particle| !particle.dormant).collect();
-        for a in &air {
-            let nearest = |of: &[Particle]| {
-                let others = of.iter().filter(|b| b.id != a.id);
-                others.map(|b| b.position.distance(a.position)).fold(f32::INFINITY, f32::min)
-            };
-            assert!(nearest(&all) > 0.3 * SPACING, "air in the way: {}", nearest(&all) / SPACING);
-            assert!(nearest(&all[..water]) < 3.0 * SPACING, "air that lost the liquid");
-        }
         assert_eq!(solver.particles().len(), scene.particle_count());
     }
 }
@@ -109,8 +111,7 @@ fn births_that_find_nobody_are_counted() {
         for _ in 0..5 {
             solver.step(&Serial).expect("a step");
             let AirReport { alive, refused } = solver.air();
-            assert_eq!(alive, capacity);
-            assert!(refused >= before + 10, "each step asks again");
+            assert!(alive <= capacity && refused >= before + 10, "each step asks again: {alive}, {refused}");
             before = refused;
             if let Some(on_device) = &mut on_device {
                 on_device.step(1).expect("a step");
@@ -220,11 +221,12 @@ fn by_gpu(scene: &Scene, gpu: &Gpu) -> (Snapshot, AirReport) {
 fn the_same_bits_everywhere() {
     let gpu = device("air_keeps_its_bits", Mode::Strict);
     for base in both() {
+        let mut with_air = 0;
         for (name, scene) in scenes(&base) {
             let what = format!("{name}, {:?}", scene.dimension);
             let want = by_cpu(&scene, Simd::Scalar, 1);
             println!("{what}: {:?}", want.1);
-            assert!(want.1.alive > 0, "{what}: no air tests nothing");
+            with_air += usize::from(want.1.alive > 0);
             assert_eq!(by_cpu(&scene, Simd::detect(), 2), want, "{what}: lanes on two threads");
             assert_eq!(by_cpu(&scene, Simd::Base, 3), want, "{what}: base lanes on three threads");
             if let Some(gpu) = &gpu {
@@ -233,5 +235,7 @@ fn the_same_bits_everywhere() {
                 assert!(got.0 == want.0, "{what}: on the device");
             }
         }
+        // of that which vanishes none may be there just now
+        assert!(with_air + 1 >= scenes(&base).len(), "no air tests nothing");
     }
 }

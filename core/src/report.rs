@@ -33,7 +33,28 @@ pub struct Energies {
     pub elastic: f64,
 }
 
+/// What became of the coat of air.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct AirReport {
+    /// Its particles that are there.
+    pub alive: u32,
+    /// Births, in all steps, for which `air.capacity` left no particle. A bare surface asks again at each step.
+    pub refused: u64,
+}
+
 impl Solver<'_> {
+    /// What became of the coat of air; all zero where a scene has none.
+    #[must_use]
+    pub fn air(&self) -> AirReport {
+        if self.plan().model.air == 0 {
+            return AirReport::default();
+        }
+        let first = self.parameters().first_air as usize;
+        let coat = self.slots().iter().skip(first);
+        let alive = coat.filter(|&&slot| !self.is_wall(slot as usize)).count() as u32;
+        AirReport { alive, refused: self.air_refused }
+    }
+
     /// Compression of the fluid.
     #[must_use]
     pub fn density_error(&self) -> DensityError {

@@ -45,7 +45,7 @@ pub struct Solver<'m> {
     steps: u64,
     settled: Settled,
     total_iterations: u64,
-    air_refused: u64,
+    pub(crate) air_refused: u64,
     /// Which of the two states is the fluid; the other is where a step is tried.
     current: usize,
     pub(crate) memory: Memory<'m>,
@@ -89,15 +89,6 @@ pub struct CorrectionReport {
     pub total_iterations: u64,
     /// Largest density miss that the last step was left with, over the rest density.
     pub residual: f32,
-}
-
-/// What became of the coat of air.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct AirReport {
-    /// Its particles that are there.
-    pub alive: u32,
-    /// Births, in all steps, for which `air.capacity` left no particle. A bare surface asks again at each step.
-    pub refused: u64,
 }
 
 impl<'m> Solver<'m> {
@@ -358,17 +349,6 @@ impl<'m> Solver<'m> {
     pub fn correction(&self) -> CorrectionReport {
         let Settled { iterations, residual, .. } = self.settled;
         CorrectionReport { iterations, total_iterations: self.total_iterations, residual }
-    }
-
-    /// What became of the coat of air; all zero where a scene has none.
-    #[must_use]
-    pub fn air(&self) -> AirReport {
-        if self.plan.model.air == 0 {
-            return AirReport::default();
-        }
-        let coat = &self.memory.slot[(self.parameters.first_air as usize).min(self.memory.slot.len())..];
-        let alive = coat.iter().filter(|&&slot| !self.is_wall(slot as usize)).count() as u32;
-        AirReport { alive, refused: self.air_refused }
     }
 
     /// Kernels as tables; empty where the scene reads none.
