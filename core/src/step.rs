@@ -122,46 +122,8 @@ pub(crate) fn run(
     let fine = Status::fine(steps);
     let s = scratch;
 
-    begins(Pass::IntegrateBefore);
-    // the moved particles wait where densities and accelerations will stand
-    let (waiting_position, waiting_velocity) = (&mut *new.density_pressure, &mut *new.acceleration);
-    p01_integrate_before::run(setup, executor, old, waiting_position, waiting_velocity);
-
-    begins(Pass::Count);
-    let out_of_range = p02_count::find(setup, executor, [&*waiting_position, &*waiting_velocity], old.id, s.cell);
-    p22_commit::verdict(&Status { out_of_range, ..fine }, places)?;
-    p02_count::run(s.cell, s.rank, s.counter);
-    if places > 0 {
-        begins(Pass::CellLists);
-        let cell_full = p03_cell_lists::run(s.cell, s.rank, places, s.grid_cells);
-        let cell_count = if cell_full == NONE { 0 } else { s.counter[cell_full as usize] };
-        p22_commit::verdict(&Status { cell_full, cell_count, ..fine }, places)?;
-    }
-    begins(Pass::Scan);
-    p04_scan::run(s.counter, s.begin);
-    if places == 0 {
-        begins(Pass::Place);
-        p05_place::run(s.cell, s.rank, s.begin, s.order);
-    }
-    begins(Pass::Order);
+    arrange(setup, executor, begins, &fine, old, new, s)?;
     let sorted = Cells { begin: s.begin, counter: s.counter };
-    p06_order::run(setup, executor, sorted, (s.grid_cells, places), old.id, s.order, new.id);
-    if m.springs == 1 || m.air == 1 {
-        p06_order::find(new.id, s.slot_of);
-    }
-    begins(Pass::Gather);
-    p07_gather::run(executor, s.order, waiting_position, new.position);
-    p07_gather::run(executor, s.order, waiting_velocity, new.velocity);
-    if m.needs_previous() {
-        p07_gather::run(executor, s.order, old.density_pressure, s.previous);
-    }
-    if m.thermal_energy == 1 {
-        p07_gather::run(executor, s.order, old.heat, new.heat);
-    }
-    if m.variable_support == 1 {
-        begins(Pass::Support);
-        p08_support::run(setup, executor, s.previous);
-    }
 
     begins(Pass::Density);
     let unknown =
@@ -241,4 +203,58 @@ pub(crate) fn run(
     begins(Pass::Commit);
     p22_commit::verdict(&Status { not_finite, ..fine }, places)?;
     Ok(settled)
+}
+
+/// Moves the particles of `old` and puts them into their slots in `new`: all passes before the density.
+fn arrange(
+    setup: Setup<'_>,
+    executor: &impl Executor,
+    begins: &mut dyn FnMut(Pass),
+    fine: &Status,
+    old: &State<'_>,
+    new: &mut State<'_>,
+    s: &mut Scratch<'_>,
+) -> Result<(), StepError> {
+    let (m, places) = (setup.model, setup.model.cell_places);
+    begins(Pass::IntegrateBefore);
+    // the moved particles wait where densities and accelerations will stand
+    let (waiting_position, waiting_velocity) = (&mut *new.density_pressure, &mut *new.acceleration);
+    p01_integrate_before::run(setup, executor, old, waiting_position, waiting_velocity);
+
+    begins(Pass::Count);
+    let out_of_range = p02_count::find(setup, executor, [&*waiting_position, &*waiting_velocity], old.id, s.cell);
+    p22_commit::verdict(&Status { out_of_range, ..*fine }, places)?;
+    p02_count::run(s.cell, s.rank, s.counter);
+    if places > 0 {
+        begins(Pass::CellLists);
+        let cell_full = p03_cell_lists::run(s.cell, s.rank, places, s.grid_cells);
+        let cell_count = if cell_full == NONE { 0 } else { s.counter[cell_full as usize] };
+        p22_commit::verdict(&Status { cell_full, cell_count, ..*fine }, places)?;
+    }
+    begins(Pass::Scan);
+    p04_scan::run(s.counter, s.begin);
+    if places == 0 {
+        begins(Pass::Place);
+        p05_place::run(s.cell, s.rank, s.begin, s.order);
+    }
+    begins(Pass::Order);
+    let sorted = Cells { begin: s.begin, counter: s.counter };
+    p06_order::run(setup, executor, sorted, (s.grid_cells, places), old.id, s.order, new.id);
+    if m.springs == 1 || m.air == 1 {
+        p06_order::find(new.id, s.slot_of);
+    }
+    begins(Pass::Gather);
+    p07_gather::run(executor, s.order, waiting_position, new.position);
+    p07_gather::run(executor, s.order, waiting_velocity, new.velocity);
+    if m.needs_previous() {
+        p07_gather::run(executor, s.order, old.density_pressure, s.previous);
+    }
+    if m.thermal_energy == 1 {
+        p07_gather::run(executor, s.order, old.heat, new.heat);
+    }
+    if m.variable_support == 1 {
+        begins(Pass::Support);
+        p08_support::run(setup, executor, s.previous);
+    }
+    Ok(())
 }

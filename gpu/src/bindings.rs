@@ -109,6 +109,7 @@ pub const UNIFORMS: u32 = 2;
 
 /// The arrays of a pass, in the order of their bindings (after the [`UNIFORMS`]). At most 8, wgpu's default limit.
 #[must_use]
+#[allow(clippy::too_many_lines, reason = "one table, of everything")]
 pub fn arrays(pass: Pass) -> &'static [(Array, Access)] {
     use Access::{Atomic, Read, Write};
     use Array::*;
