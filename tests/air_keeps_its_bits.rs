@@ -30,7 +30,7 @@ fn drop(dimension: Dimension, capacity: u32) -> Scene {
 }
 
 fn both() -> [Scene; 2] {
-    [drop(Dimension::Two, 100), drop(Dimension::Three, 600)]
+    [drop(Dimension::Two, 300), drop(Dimension::Three, 1500)]
 }
 
 /// The particles of the coat that are there.
@@ -51,7 +51,7 @@ fn a_bare_drop_is_coated_and_stays_so() {
         println!("{:?}: {first:?}", scene.dimension);
         assert!((face / 2..=face + 24).contains(&(first.alive as usize)), "{first:?} of {face}");
         let mut before: Vec<Particle> = solver.particles().collect();
-        for _ in 0..200 {
+        for _ in 0..100 {
             solver.step(&Serial).expect("a step");
             let now: Vec<Particle> = solver.particles().collect();
             let there: Vec<&Particle> = now.iter().filter(|particle| !particle.dormant).collect();
@@ -149,7 +149,7 @@ fn scenes(base: &Scene) -> Vec<(&'static str, Scene)> {
     let capacity = base.air_capacity() as u32;
     vec![
         ("a drop", changed(&|_| ())),
-        ("too little air", changed(&|s| s.air = s.air.map(|air| Air { capacity: capacity / 10, ..air }))),
+        ("too little air", changed(&|s| s.air = s.air.map(|air| Air { capacity: capacity / 30, ..air }))),
         ("air that vanishes", changed(&|s| s.air = s.air.map(|air| Air { minimum_density: 0.85, ..air }))),
         (
             "tension",

@@ -27,7 +27,7 @@ const VISCOSITY: f32 = 2.0;
 
 /// s: sound travels 0.1 supports in a step of the fastest air.
 const TIME_STEP: f32 = 0.0005;
-const END: f64 = 2.0;
+const END: f64 = 1.0;
 const QUICK_END: f64 = 0.5;
 const STEPS_PER_SAMPLE: u64 = 20;
 
@@ -59,12 +59,12 @@ const SOFT: f32 = 1.0;
 const CASES: [(DensityForm, Option<Coat>); 8] = [
     (DensityForm::Summation, None),
     (DensityForm::SummationAdapted, None),
-    coated(10.0, SOFT, 1.0),
-    coated(1.0, SOFT, 1.0),
-    coated(100.0, SOFT, 1.0),
     coated(10.0, SOFT, 1.2),
+    coated(10.0, SOFT, 1.0),
     coated(10.0, SOFT, 0.5),
-    coated(10.0, HARD, 1.0),
+    coated(1.0, SOFT, 1.2),
+    coated(100.0, SOFT, 1.2),
+    coated(10.0, HARD, 1.2),
 ];
 
 const fn coated(ratio: f32, sound: f32, threshold: f32) -> (DensityForm, Option<Coat>) {
@@ -72,11 +72,10 @@ const fn coated(ratio: f32, sound: f32, threshold: f32) -> (DensityForm, Option<
 }
 
 /// What the table shows.
-const NOTE: &str = "With air the outermost row counts nearly all of the neighbours that it should have, and at a threshold of \
-    about 1 the drop is calmer where the air is soft. It is no remedy: the coat has a free surface too, with the same low density, so \
-    that air goes on being made long after the first steps. With a threshold below that of a surface with one row of air, \
-    or with air as hard as the water, it is made until none is left, and the drop moves more than it did without; with air a \
-    hundredth as heavy as the water the drop is no calmer.";
+const NOTE: &str = "With air the outermost row counts nearly all of the neighbours that it should have, and with soft air and \
+    a threshold of about 1 the drop is calmer. It is no remedy: the coat has a free surface too, with the same low density, and air \
+    goes on being made long after the first steps. With a threshold below that of a surface with one row of air, or with \
+    air as hard as the water, it is made until none is left.";
 
 /// What a run came to.
 #[derive(Clone, Copy, Debug)]
