@@ -1,6 +1,6 @@
 //! Promise: a coat of air is made around what is bare, no two of its particles too near each other, and goes where it has lost
 //! the liquid; births for which none is left are counted. All this has the same bits on the scalar path, in lanes, on two
-//! threads, and on a device in strict mode. A scene without air has no bytes for it.
+//! threads, with every term left in, and on a device in strict mode. A scene without air has no bytes for it.
 use millpond::fluid::Snapshot;
 use millpond::memory::Heap;
 use millpond::pool::Pool;
@@ -209,6 +209,15 @@ fn by_cpu(scene: &Scene, simd: Simd, threads: usize) -> (Snapshot, AirReport) {
     (Snapshot::of_cpu(&solver), solver.air())
 }
 
+fn by_everything(scene: &Scene) -> u64 {
+    let plan = Plan::everything(scene);
+    let mut heap = Heap::with(Needs::by_plan(scene, &plan));
+    let (count, places) = (scene.particle_count(), places(scene));
+    let mut solver = Solver::with_particles(scene, plan, count, places, heap.lend()).expect("a scene");
+    (0..STEPS).for_each(|_| solver.step(&Serial).expect("a step"));
+    solver.hash()
+}
+
 fn by_gpu(scene: &Scene, gpu: &Gpu) -> (Snapshot, AirReport) {
     let mut heap = Heap::of(scene);
     let solver = Solver::new(scene, heap.lend()).expect("a scene");
@@ -229,6 +238,7 @@ fn the_same_bits_everywhere() {
             with_air += usize::from(want.1.alive > 0);
             assert_eq!(by_cpu(&scene, Simd::detect(), 2), want, "{what}: lanes on two threads");
             assert_eq!(by_cpu(&scene, Simd::Base, 3), want, "{what}: base lanes on three threads");
+            assert_eq!(by_everything(&scene), want.0.hash(), "{what}: with every term left in");
             if let Some(gpu) = &gpu {
                 let got = by_gpu(&scene, gpu);
                 assert_eq!(got.1, want.1, "{what}: on the device");
