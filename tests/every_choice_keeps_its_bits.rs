@@ -6,9 +6,9 @@ use millpond::memory::Heap;
 use millpond::pool::Pool;
 use millpond_core::layout::f32x4;
 use millpond_core::scene::{
-    Block, Container, Correction, DensityForm, Dimension, Elasticity, EquationOfState, Evaluation, FieldLattice, Fluid,
-    Grid, GridStructure, Iteration, Kernel, ModelChoice, NearPressure, Periodic, Plasticity, PressureForce, Reflection,
-    Scene, SupportRange, SurfaceTension, Viscosity, Wall, WallPressure, WallShape, Wind,
+    Air, Block, Container, Correction, DensityForm, Dimension, Elasticity, EquationOfState, Evaluation, FieldLattice,
+    Fluid, Grid, GridStructure, Iteration, Kernel, ModelChoice, NearPressure, Periodic, Plasticity, PressureForce,
+    Reflection, Scene, SupportRange, SurfaceTension, Viscosity, Wall, WallPressure, WallShape, Wind,
 };
 use millpond_core::{Plan, Simd, Solver};
 use millpond_gpu::program::{Words, program};
@@ -185,6 +185,22 @@ fn choices(base: &Scene) -> Vec<(String, Scene)> {
         (s.fluid.xsph, s.fluid.radial_exchange, s.ambient_density) = (0.4, 0.3, 20.0);
         s.blocks[1].dynamic_viscosity = Some(0.1);
     });
+    for (name, tension, wall) in [
+        ("air", SurfaceTension::Off, false),
+        ("air and tension", SurfaceTension::NormalCurvature, false),
+        ("air and walls of particles", SurfaceTension::Off, true),
+    ] {
+        add(name.into(), &|s| {
+            s.model = ModelChoice { surface_tension: tension, ..ModelChoice::multiphase() };
+            second_fluid(s);
+            s.blocks[1].fluid = 0;
+            s.air = Some(Air { fluid: 1, capacity: 60, threshold: 0.5, minimum_density: 0.6 });
+            if wall {
+                walls(s);
+            }
+            pulled(s);
+        });
+    }
     add("a fluid of smaller support".into(), &|s| {
         second_fluid(s);
         s.other_fluids[0].average_neighbours = Some(12.0);

@@ -1,8 +1,8 @@
 //! Promise: choices that do not go together are refused by name before the first step, and only those.
 use millpond_core::scene::{
-    Block, Correction, DensityForm, Dimension, EquationOfState, Evaluation, Face, FieldLattice, Fluid, Iteration,
-    Kernel, ModelChoice, NearPressure, Periodic, Plasticity, PressureForce, Scene, SupportRange, SurfaceTension,
-    Viscosity, Wall, WallShape,
+    Air, Block, Correction, DensityForm, Dimension, EquationOfState, Evaluation, Face, FieldLattice, Fluid,
+    GridStructure, Iteration, Kernel, ModelChoice, NearPressure, Periodic, Plasticity, PressureForce, Scene,
+    SupportRange, SurfaceTension, Viscosity, Wall, WallShape,
 };
 use millpond_core::{SceneError, Solver};
 
@@ -54,6 +54,23 @@ fn by_name() {
     refused("hydrostatic_start", "gravity", |s| {
         s.model.hydrostatic_start = true;
         s.gravity = [0.0; 3];
+    });
+    let air = |s: &mut Scene| {
+        let _ = s.other_fluids.push(Fluid::default());
+        s.air = Some(Air { fluid: 1, capacity: 10, threshold: 0.5, minimum_density: 0.5 });
+    };
+    assert_eq!(scene(air), Ok(()));
+    refused("air.fluid 0", "air", |s| {
+        air(s);
+        s.air = s.air.map(|air| Air { fluid: 0, ..air });
+    });
+    refused("air", "CellLists", |s| {
+        air(s);
+        s.grid.structure = GridStructure::CellLists { places: 8 };
+    });
+    refused("air", "average_neighbours", |s| {
+        air(s);
+        s.average_neighbours = 20.0;
     });
     refused("ambient_density", "gravity", |s| {
         s.ambient_density = 1.2;

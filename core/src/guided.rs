@@ -114,6 +114,7 @@ pub fn parameters(scene: &Scene) -> Parameters {
     let density_constant = model.density_kernel.normalisation(d) * over(d);
     let range = model.variable_support.unwrap_or(SupportRange { smallest: 1.0, largest: 1.0 });
     let elasticity = &scene.elasticity;
+    let air = scene.air.as_ref();
     let plasticity = elasticity.plasticity;
     let exchanged = model.viscosity == Viscosity::Exchange;
     let [gx, gy, gz] = scene.gravity;
@@ -178,10 +179,19 @@ pub fn parameters(scene: &Scene) -> Parameters {
         ambient_ratio: scene.ambient_density / fluid.rest_density,
         bounce: container.map_or(0.0, |c| c.bounce),
         slip: container.map_or(0.0, |c| c.slip),
+        spacing: scene.particle_spacing,
+        air_threshold: air.map_or(0.0, |air| (f64::from(air.threshold) / support) as f32),
+        air_minimum: air.map_or(0.0, |air| air.minimum_density),
+        air_heat: air.map_or(0.0, |air| scene.fluid_of(air.fluid).thermal_energy),
+        air_fluid: air.map_or(0.0, |air| air.fluid as f32),
+        first_air: first_air(scene, scene.particle_count()),
         pad0: 0,
-        pad1: 0,
-        pad2: 0,
     }
+}
+
+/// First id of the coat of air, of so many particles in all.
+pub(crate) fn first_air(scene: &Scene, particles: usize) -> u32 {
+    particles.saturating_sub(scene.air_capacity()) as u32
 }
 
 /// What each axis has of its own.
@@ -196,9 +206,11 @@ struct Axes {
 
 fn axes(scene: &Scene) -> Axes {
     let [x, y, z] = scene.cells();
+    // particles that are not there lie in a cell of their own, the last, which no stencil reaches
+    let limbo = u32::from(scene.air.is_some());
     let inverse = (1.0 / least_cell(scene)) as f32;
     let mut axes = Axes {
-        cells: [x, y, z, x.wrapping_mul(y).wrapping_mul(z)],
+        cells: [x, y, z, x.wrapping_mul(y).wrapping_mul(z).wrapping_add(limbo)],
         inverse_cell: [inverse, inverse, inverse, 0.0],
         domain_low: [0.0; 4],
         period: [0.0; 4],

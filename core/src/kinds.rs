@@ -24,6 +24,10 @@ pub fn near_stiffness(scene: &Scene, fluid: &Fluid) -> f64 {
     fluid.near_stiffness.map_or(DEFAULT_NEAR_SHARE * c0 * c0, f64::from)
 }
 
+/// What air that is not there has where a particle of a wall has a 1: whatever is more than 0 is held, and this can be told
+/// from a wall.
+pub(crate) const NOT_THERE: f32 = 2.0;
+
 /// `rho0 c0^2`, Pa.
 fn bulk(fluid: &Fluid) -> f64 {
     let c0 = f64::from(fluid.speed_of_sound);
@@ -75,7 +79,7 @@ fn rows(scene: &Scene, of: impl Fn(&Fluid) -> f32x4) -> Kinds {
     kinds
 }
 
-/// Viscosity, 1 for a wall, rest density over the first fluid's, number of the fluid.
+/// Viscosity, 1 for a wall and 2 for air that is not there, rest density over the first fluid's, number of the fluid.
 pub(crate) fn species(scene: &Scene) -> Kinds {
     let ratio = |fluid: &Fluid| fluid.rest_density / scene.fluid.rest_density;
     let mut kinds = rows(scene, |fluid| [fluid.dynamic_viscosity, 0.0, ratio(fluid), 0.0]);
@@ -91,7 +95,7 @@ pub(crate) fn species(scene: &Scene) -> Kinds {
         *kind = [wall.dynamic_viscosity.unwrap_or(own), 1.0, kind[2], wall.fluid as f32];
     }
     // nobody acts on air that is not there
-    kinds[DORMANT as usize][1] = 1.0;
+    kinds[DORMANT as usize][1] = NOT_THERE;
     kinds
 }
 

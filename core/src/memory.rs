@@ -53,8 +53,12 @@ pub struct Scratch<'m> {
     pub previous: &'m mut [f32x4],
     /// Acceleration but for pressure, m/s2; w unused. Only where pressure is iterated.
     pub free: &'m mut [f32x4],
-    /// Slot of each particle in the step that is tried, by id. Only with springs.
+    /// Slot of each particle in the step that is tried, by id. Only with springs or air.
     pub slot_of: &'m mut [u32],
+    /// Gradient of the colour of all that is there, 1/m; w: 1 where a particle of liquid is bare, else 0. Only with air.
+    pub bare: &'m mut [f32x4],
+    /// 1 for a particle beside which one of air is to be made, else 0. Only with air.
+    pub birth: &'m mut [u32],
 }
 
 /// Springs between particles, by what each particle has of them. Only with elastic fluids.
@@ -87,7 +91,7 @@ pub struct Memory<'m> {
 /// How much memory a scene needs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Needs {
-    /// Particles, those of walls too.
+    /// Particles, those of walls too, and air that is not there yet.
     pub particles: usize,
     /// Cells.
     pub cells: usize,
@@ -109,6 +113,8 @@ pub struct Needs {
     pub spring_ends: usize,
     /// Do their lengths at rest change?
     pub plastic: bool,
+    /// A coat of air.
+    pub air: bool,
     /// Kernels as tables.
     pub tables: bool,
     /// Nodes of the host's field.
@@ -128,7 +134,7 @@ impl Needs {
 
     /// The arrays, with their bytes.
     #[must_use]
-    pub fn arrays(&self) -> [(&'static str, usize); 22] {
+    pub fn arrays(&self) -> [(&'static str, usize); 24] {
         let Needs { particles, cells, places, .. } = *self;
         let vector = size_of::<f32x4>();
         let (vectors, words) = (2 * particles * vector, particles * size_of::<u32>());
@@ -153,7 +159,9 @@ impl Needs {
             ("normal", 2 * self.if_needed(self.normals) * vector),
             ("springs", self.if_needed(self.springs) * size_of::<u32x4>()),
             ("spring ends", (self.spring_ends + self.other_ends()) * size_of::<u32x2>()),
-            ("slot_of", self.if_needed(self.springs) * size_of::<u32>()),
+            ("slot_of", self.if_needed(self.springs || self.air) * size_of::<u32>()),
+            ("bare", self.if_needed(self.air) * vector),
+            ("birth", self.if_needed(self.air) * size_of::<u32>()),
             ("tables", if self.tables { TABLE_WORDS * size_of::<f32>() } else { 0 }),
             ("field", self.nodes * vector),
         ]
@@ -191,7 +199,9 @@ impl<'m> Memory<'m> {
                 grid_cells: cut("places of cells", s.grid_cells, places)?,
                 previous: cut("extras for previous densities", s.previous, needs.if_needed(needs.previous))?,
                 free: cut("extras for free accelerations", s.free, needs.if_needed(needs.free))?,
-                slot_of: cut("particles with springs", s.slot_of, needs.if_needed(needs.springs))?,
+                slot_of: cut("particles with springs or air", s.slot_of, needs.if_needed(needs.springs || needs.air))?,
+                bare: cut("particles with air", s.bare, needs.if_needed(needs.air))?,
+                birth: cut("particles with air", s.birth, needs.if_needed(needs.air))?,
             },
             springs: Springs {
                 of: cut("particles with springs", self.springs.of, needs.if_needed(needs.springs))?,

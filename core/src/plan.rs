@@ -67,6 +67,7 @@ impl Plan {
                 species: u32::from(blocks_differ || several || !scene.walls.is_empty()),
                 fluids: u32::from(several),
                 tension: if pulls { everything.model.tension } else { tension::NO_TENSION },
+                air: u32::from(scene.air.is_some()),
                 normals: u32::from(choice.surface_normals || pulls && everything.model.has_curvature()),
                 springs: u32::from(scene.fluids().any(is_elastic)),
                 plastic: u32::from(scene.fluids().any(is_elastic) && everything.model.plastic == 1),
@@ -122,6 +123,7 @@ impl Plan {
                 normals: 1,
                 springs: 1,
                 plastic: u32::from(scene.elasticity.plasticity.is_some() || scene.elasticity.break_at.is_some()),
+                air: u32::from(scene.air.is_some()),
                 thermal_energy: 1,
                 xsph: 1,
                 layers: u32::from(scene.dimension == Dimension::Three),
@@ -141,7 +143,8 @@ impl Plan {
             Pass::CellLists => m.cell_places > 0,
             Pass::Place => m.cell_places == 0,
             Pass::Support => m.variable_support == 1,
-            Pass::Normals => m.normals == 1,
+            Pass::Normals => m.normals == 1 || m.air == 1,
+            Pass::Coat | Pass::Air => m.air == 1,
             Pass::Tension => m.has_curvature(),
             Pass::Springs => m.springs == 1,
             Pass::PressureForce | Pass::PressureCorrect | Pass::PressureSettle => m.corrects_pressure(),
@@ -207,8 +210,9 @@ impl Plan {
                 add(&["field_share"], m.field == 1);
             }
             Pass::Normals => {
-                add(&["colour_gradient"], true);
+                add(&["colour_gradient"], m.normals == 1);
                 add(&["colour_laplacian", "curvature_of_colour"], m.tension == tension::CURVATURE);
+                add(&["whole_gradient"], m.air == 1);
             }
             Pass::Tension => {
                 add(&["normal_divergence", "curvature_of_normals"], m.tension == tension::NORMAL_CURVATURE);
@@ -223,6 +227,8 @@ impl Plan {
                 add(slope, true);
             }
             Pass::PressureCorrect => add(&["continuity_neighbour", "density_miss", "pressure_corrected"], true),
+            Pass::Coat => add(&["is_bare", "place_of_birth", "is_taken"], true),
+            Pass::Air => add(&["is_thin", "place_of_birth"], true),
             Pass::Heat => add(&["heat_neighbour"], true),
             Pass::IntegrateAfter => {
                 add(&["kick"], true);
@@ -281,6 +287,7 @@ impl Plan {
             (m.normals == 0, "normals", "no tension needs them, and model.surface_normals is off"),
             (m.springs == 0, "elasticity", "fluid.elastic_stiffness is 0"),
             (m.plastic == 0, "plasticity", "elasticity.plasticity and elasticity.break_at are not set"),
+            (m.air == 0, "air", "the scene has none"),
             (true, "bodies", "no scene of this version can ask for it"),
             (true, "emitters over time", "no scene of this version can ask for it"),
         ];
@@ -304,7 +311,8 @@ impl Needs {
     #[must_use]
     pub fn by_plan(scene: &Scene, plan: &Plan) -> Needs {
         let m = &plan.model;
-        let cells = scene.cells().iter().map(|&n| n as usize).product();
+        // and one for air that is not there
+        let cells = scene.cells().iter().map(|&n| n as usize).product::<usize>() + m.air as usize;
         Needs {
             particles: scene.particle_count(),
             cells,
@@ -317,6 +325,7 @@ impl Needs {
             springs: m.springs == 1,
             spring_ends: if m.springs == 1 { scene.spring_ends() } else { 0 },
             plastic: m.plastic == 1,
+            air: m.air == 1,
             tables: m.reads_tables(),
             nodes: scene.field_counts()[3] as usize,
         }

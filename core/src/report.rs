@@ -1,9 +1,9 @@
 //! What can be said of a fluid as a whole. Nothing here is part of a step.
 use crate::arithmetic::real::vec3;
-use crate::grid::{Cells, Stencil, cell_of};
+use crate::grid::{Cells, Stencil, cell_of, is_limbo};
 use crate::hash::tree_sum;
 use crate::layout::f32x4;
-use crate::passes::{p02_count, p04_scan, p05_place};
+use crate::passes::{is_dormant, p02_count, p04_scan, p05_place};
 use crate::solver::Solver;
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use crate::terms::support::support_close;
@@ -20,7 +20,7 @@ pub struct DensityError {
     pub max: f64,
 }
 
-/// Energies of the fluid, J (per metre of depth in 2D); walls have none.
+/// Energies of the fluid, J (per metre of depth in 2D); walls, and air that is not there, have none.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energies {
     /// Of motion.
@@ -33,7 +33,28 @@ pub struct Energies {
     pub elastic: f64,
 }
 
+/// What became of the coat of air.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct AirReport {
+    /// Its particles that are there.
+    pub alive: u32,
+    /// Births, in all steps, for which `air.capacity` left no particle. A bare surface asks again at each step.
+    pub refused: u64,
+}
+
 impl Solver<'_> {
+    /// What became of the coat of air; all zero where a scene has none.
+    #[must_use]
+    pub fn air(&self) -> AirReport {
+        if self.plan().model.air == 0 {
+            return AirReport::default();
+        }
+        let first = self.parameters().first_air as usize;
+        let coat = self.slots().iter().skip(first);
+        let alive = coat.filter(|&&slot| !self.is_wall(slot as usize)).count() as u32;
+        AirReport { alive, refused: self.air_refused }
+    }
+
     /// Compression of the fluid.
     #[must_use]
     pub fn density_error(&self) -> DensityError {
@@ -89,7 +110,7 @@ impl Solver<'_> {
         let support = |slot: usize| support_close(&m, &p, state.density_pressure[slot][0]);
         for cell in 0..cells.begin.len() {
             let members = cells.members(cell);
-            if members.is_empty() {
+            if members.is_empty() || is_limbo(&m, &p, cell) {
                 continue;
             }
             let stencil = Stencil::around(&p, layers, cells, cell);
@@ -119,18 +140,24 @@ impl Solver<'_> {
     /// Particles of the fullest cell: cell lists with fewer places would refuse this state.
     #[must_use]
     pub fn fullest_cell(&mut self) -> u32 {
+        let (m, p) = (self.plan().model, *self.parameters());
         self.sort_again();
-        self.memory.scratch.counter.iter().copied().max().unwrap_or(0)
+        let counts = self.memory.scratch.counter.iter().enumerate();
+        counts.filter(|&(cell, _)| !is_limbo(&m, &p, cell)).map(|(_, &count)| count).max().unwrap_or(0)
     }
 
     /// Slots by cell and id, into `order`. Walls move particles after a step has sorted them, and a failed step leaves
     /// the cells of its attempt behind.
     fn sort_again(&mut self) {
-        let p = *self.parameters();
+        let (m, p) = (self.plan().model, *self.parameters());
         let current = self.current_index();
         let state = &self.memory.states[current];
         let scratch = &mut self.memory.scratch;
-        for (cell, x) in scratch.cell.iter_mut().zip(state.position.iter()) {
+        for ((cell, x), v) in scratch.cell.iter_mut().zip(state.position.iter()).zip(state.velocity.iter()) {
+            if m.air == 1 && is_dormant(&p, v[3]) {
+                *cell = p.cells[3] - 1;
+                continue;
+            }
             // one that a wall put beyond the range, where the next step refuses it, shows up in cell 0, near nobody
             *cell = cell_of(&p, *x).unwrap_or(0);
         }

@@ -2,8 +2,9 @@
 use crate::arithmetic::level::Simd;
 use crate::error::{SceneError, StepError};
 use crate::executor::{Executor, Serial};
-use crate::guided::parameters;
+use crate::guided::{first_air, parameters};
 use crate::hash::state_hash;
+use crate::kinds::NOT_THERE;
 use crate::layout::{Parameters, SPECIES, f32x4, u32x2, u32x4};
 use crate::memory::{Memory, Needs, State};
 use crate::passes::Setup;
@@ -44,6 +45,7 @@ pub struct Solver<'m> {
     steps: u64,
     settled: Settled,
     total_iterations: u64,
+    pub(crate) air_refused: u64,
     /// Which of the two states is the fluid; the other is where a step is tried.
     current: usize,
     pub(crate) memory: Memory<'m>,
@@ -66,6 +68,8 @@ pub struct Particle {
     pub thermal_energy: f32,
     /// Does it belong to a wall?
     pub wall: bool,
+    /// Is it air that is not there? Nothing else of it then means anything.
+    pub dormant: bool,
     /// Number of its fluid; of a wall's, of the one that it is like.
     pub fluid: u32,
     /// Inward normal of its fluid's surface, the gradient of its colour, 1/m; 0 where a scene finds none.
@@ -97,7 +101,8 @@ impl<'m> Solver<'m> {
         Solver::with_particles(scene, Plan::of(scene), scene.particle_count(), places(scene), memory)
     }
 
-    /// The same by a plan of the scene's, and with `count` particles wherever you like; their ids are 0, 1, 2 ...
+    /// The same by a plan of the scene's, and with `count` particles wherever you like; their ids are 0, 1, 2 ... With air the
+    /// last [`Air::capacity`](crate::scene::Air::capacity) of them are its own: of its fluid, or not there yet.
     ///
     /// # Errors
     /// As for [`Solver::new`]; also a plan of another scene, and more or fewer places than `count`.
@@ -114,10 +119,21 @@ impl<'m> Solver<'m> {
             return Err(SceneError::PlanOfAnotherScene);
         }
         let memory = memory.cut(&Needs { particles: count, ..Needs::by_plan(scene, &plan) })?;
-        let parameters = Parameters { particle_count: count as u32, ..parameters(scene) };
+        let parameters =
+            Parameters { particle_count: count as u32, first_air: first_air(scene, count), ..parameters(scene) };
         let simd = Simd::detect();
         let settled = Settled::default();
-        let mut solver = Solver { plan, parameters, simd, steps: 0, settled, total_iterations: 0, current: 0, memory };
+        let mut solver = Solver {
+            plan,
+            parameters,
+            simd,
+            steps: 0,
+            settled,
+            total_iterations: 0,
+            air_refused: 0,
+            current: 0,
+            memory,
+        };
         fill_tables(&scene.model, scene.dimension.count(), solver.memory.tables);
         solver.memory.field.fill([0.0; 4]);
         solver.fill(scene, places)?;
@@ -132,6 +148,10 @@ impl<'m> Solver<'m> {
     fn fill(&mut self, scene: &Scene, places: impl IntoIterator<Item = Place>) -> Result<(), SceneError> {
         let state = &mut self.memory.states[self.current];
         let needed = state.id.len();
+        if needed < scene.air_capacity() {
+            let (what, capacity) = ("particles of air (air.capacity) among those", needed);
+            return Err(SceneError::CapacityExceeded { what, needed: scene.air_capacity(), capacity });
+        }
         let mut places = places.into_iter();
         for slot in 0..needed {
             let Some(place) = places.next() else {
@@ -142,8 +162,14 @@ impl<'m> Solver<'m> {
                 return Err(SceneError::OutOfPlane);
             }
             let (masses, species) = (self.plan.model.masses == 1, self.plan.model.species == 1);
-            let known = kind_of(place.species, scene).is_some_and(|kind| kind != Kind::Dormant);
-            if !known || (place.species > 0 && !species) || (place.mass != 1.0 && !masses) {
+            let kind = kind_of(place.species, scene);
+            let of_coat = scene.air.is_some() && slot >= self.parameters.first_air as usize;
+            let fits = match kind {
+                Some(Kind::Dormant) => of_coat,
+                Some(_) => !of_coat || scene.air.is_some_and(|air| air.fluid == place.species),
+                None => false,
+            };
+            if !fits || (place.species > 0 && !species) || (place.mass != 1.0 && !masses) {
                 return Err(SceneError::UnplannedParticle { particle: slot as u32 });
             }
             if !(place.mass > 0.0 && place.mass.is_finite()) {
@@ -153,8 +179,12 @@ impl<'m> Solver<'m> {
             state.velocity[slot] = [u, v, w, place.species as f32];
             state.acceleration[slot] = [0.0; 4];
             state.density_pressure[slot] = [place.deviation, place.pressure, 0.0, 0.0];
-            if let (Some(heat), Some(Kind::Fluid(fluid))) = (state.heat.get_mut(slot), kind_of(place.species, scene)) {
-                *heat = [scene.fluid_of(fluid).thermal_energy, 0.0, 0.0, 0.0];
+            if let Some(heat) = state.heat.get_mut(slot) {
+                let energy = match kind {
+                    Some(Kind::Fluid(fluid)) => scene.fluid_of(fluid).thermal_energy,
+                    _ => self.parameters.air_heat,
+                };
+                *heat = [energy, 0.0, 0.0, 0.0];
             }
             state.id[slot] = slot as u32;
         }
@@ -194,6 +224,7 @@ impl<'m> Solver<'m> {
         self.steps += 1;
         self.settled = settled;
         self.total_iterations += u64::from(settled.iterations);
+        self.air_refused += u64::from(settled.refused);
         Ok(())
     }
 
@@ -278,7 +309,8 @@ impl<'m> Solver<'m> {
                 density: (deviation + 1.0) * self.parameters.rest_density * rest,
                 pressure,
                 thermal_energy: state.heat.get(slot).map_or(0.0, |heat| heat[0]),
-                wall: wall > 0.0,
+                wall: wall > 0.0 && wall < NOT_THERE,
+                dormant: wall >= NOT_THERE,
                 fluid: fluid as u32,
                 normal,
                 curvature: if self.plan.model.has_curvature() { state.acceleration[slot][3] } else { 0.0 },
@@ -294,7 +326,7 @@ impl<'m> Solver<'m> {
         self.parameters.species[known]
     }
 
-    /// Does the particle in a slot belong to a wall?
+    /// Does the particle in a slot belong to a wall, or is it air that is not there?
     pub(crate) fn is_wall(&self, slot: usize) -> bool {
         self.kind(slot)[1] > 0.0
     }
@@ -315,7 +347,7 @@ impl<'m> Solver<'m> {
     /// What the pressure correction came to; all zero with an equation of state.
     #[must_use]
     pub fn correction(&self) -> CorrectionReport {
-        let Settled { iterations, residual } = self.settled;
+        let Settled { iterations, residual, .. } = self.settled;
         CorrectionReport { iterations, total_iterations: self.total_iterations, residual }
     }
 

@@ -6,17 +6,18 @@ use crate::layout::{NONE, Status, u32x2, u32x4};
 use crate::memory::{Scratch, State};
 use crate::passes::local::Particles;
 use crate::passes::p10_force::Force;
-use crate::passes::p11_normals::Normals;
+use crate::passes::p11_normals::{Bare, Normals};
 use crate::passes::p12_tension::Tension;
 use crate::passes::p13_springs::{self, Sprung};
 use crate::passes::p14_pressure_force::PressureForce;
 use crate::passes::p15_pressure_correct::PressureCorrect;
 use crate::passes::p17_heat::Heat;
 use crate::passes::p18_smooth::Smooth;
+use crate::passes::p19_coat::{self, Coated};
 use crate::passes::pairs::{self, Lists};
 use crate::passes::{
     Setup, p01_integrate_before, p02_count, p03_cell_lists, p04_scan, p05_place, p06_order, p07_gather, p08_support,
-    p09_density, p16_pressure_settle, p19_integrate_after, p21_commit,
+    p09_density, p16_pressure_settle, p20_integrate_after, p21_air, p22_commit,
 };
 
 /// Declares the passes once: name, what it does, name of its file.
@@ -60,7 +61,7 @@ passes! {
     Density = "p09_density",
     /// Accelerations.
     Force = "p10_force",
-    /// Normals of surfaces (where somebody needs them).
+    /// Normals of surfaces (where somebody needs them), of all that is there (with air).
     Normals = "p11_normals",
     /// Accelerations by the curvature of surfaces (where they have a tension).
     Tension = "p12_tension",
@@ -76,19 +77,25 @@ passes! {
     Heat = "p17_heat",
     /// Velocities to move with (XSPH).
     Smooth = "p18_smooth",
+    /// Where air is to be made (with air).
+    Coat = "p19_coat",
     /// Half kick, penalty walls, a look for what is not finite.
-    IntegrateAfter = "p19_integrate_after",
+    IntegrateAfter = "p20_integrate_after",
+    /// Air is made, and vanishes (with air).
+    Air = "p21_air",
     /// The step counts, or says why not.
-    Commit = "p21_commit",
+    Commit = "p22_commit",
 }
 
-/// What a step of corrected pressure came to.
+/// What a step came to, of corrected pressure and of air.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Settled {
     /// Iterations made.
     pub iterations: u32,
     /// Largest density miss of the last one, over the rest density.
     pub residual: f32,
+    /// Births of air for which no particle was left.
+    pub refused: u32,
 }
 
 /// Springs, by id, and their ends before and, where lengths at rest change, after a step.
@@ -115,43 +122,8 @@ pub(crate) fn run(
     let fine = Status::fine(steps);
     let s = scratch;
 
-    begins(Pass::IntegrateBefore);
-    // the moved particles wait where densities and accelerations will stand
-    let (waiting_position, waiting_velocity) = (&mut *new.density_pressure, &mut *new.acceleration);
-    p01_integrate_before::run(setup, executor, old, waiting_position, waiting_velocity);
-
-    begins(Pass::Count);
-    let out_of_range = p02_count::find(p, executor, waiting_position, old.id, s.cell);
-    p21_commit::verdict(&Status { out_of_range, ..fine }, places)?;
-    p02_count::run(s.cell, s.rank, s.counter);
-    if places > 0 {
-        begins(Pass::CellLists);
-        let cell_full = p03_cell_lists::run(s.cell, s.rank, places, s.grid_cells);
-        let cell_count = if cell_full == NONE { 0 } else { s.counter[cell_full as usize] };
-        p21_commit::verdict(&Status { cell_full, cell_count, ..fine }, places)?;
-    }
-    begins(Pass::Scan);
-    p04_scan::run(s.counter, s.begin);
-    if places == 0 {
-        begins(Pass::Place);
-        p05_place::run(s.cell, s.rank, s.begin, s.order);
-    }
-    begins(Pass::Order);
+    arrange(setup, executor, begins, &fine, old, new, s)?;
     let sorted = Cells { begin: s.begin, counter: s.counter };
-    p06_order::run(executor, sorted, (s.grid_cells, places), old.id, s.order, new.id);
-    begins(Pass::Gather);
-    p07_gather::run(executor, s.order, waiting_position, new.position);
-    p07_gather::run(executor, s.order, waiting_velocity, new.velocity);
-    if m.needs_previous() {
-        p07_gather::run(executor, s.order, old.density_pressure, s.previous);
-    }
-    if m.thermal_energy == 1 {
-        p07_gather::run(executor, s.order, old.heat, new.heat);
-    }
-    if m.variable_support == 1 {
-        begins(Pass::Support);
-        p08_support::run(setup, executor, s.previous);
-    }
 
     begins(Pass::Density);
     let unknown =
@@ -164,9 +136,14 @@ pub(crate) fn run(
     // what pressure is added to later stands by itself
     let driven = if m.corrects_pressure() { &mut *s.free } else { &mut *new.acceleration };
     pairs::run(setup, executor, known, lists, &Force, driven);
-    if m.normals == 1 {
+    if m.normals == 1 || m.air == 1 {
         begins(Pass::Normals);
+    }
+    if m.normals == 1 {
         pairs::run(setup, executor, known, lists, &Normals, new.normal);
+    }
+    if m.air == 1 {
+        pairs::run(setup, executor, known, lists, &Bare, s.bare);
     }
     if m.has_curvature() {
         begins(Pass::Tension);
@@ -174,7 +151,6 @@ pub(crate) fn run(
     }
     if m.springs == 1 {
         begins(Pass::Springs);
-        p13_springs::find(new.id, s.slot_of);
         let SpringEnds { of, old: ends, new: new_ends } = springs;
         let sprung = Sprung { position: new.position, id: new.id, slot_of: s.slot_of, of, ends };
         p13_springs::run(setup, executor, sprung, driven);
@@ -191,7 +167,7 @@ pub(crate) fn run(
             let correct = PressureCorrect { acceleration: new.acceleration };
             let residual = pairs::run(setup, executor, unknown, lists, &correct, new.density_pressure);
             begins(Pass::PressureSettle);
-            settled = Settled { iterations: settled.iterations + 1, residual: f32::from_bits(residual) };
+            settled = Settled { iterations: settled.iterations + 1, residual: f32::from_bits(residual), ..settled };
             if p16_pressure_settle::run(p, residual) {
                 break;
             }
@@ -210,10 +186,75 @@ pub(crate) fn run(
         begins(Pass::Smooth);
         pairs::run(setup, executor, known, lists, &Smooth { acceleration: new.acceleration }, new.smoothing);
     }
+    // while time stands still nothing is made
+    let makes_air = m.air == 1 && p.time_step > 0.0;
+    if makes_air {
+        begins(Pass::Coat);
+        let coated = Coated { sorted, position: new.position, bare: s.bare, id: new.id };
+        p19_coat::run(setup, executor, coated, s.birth);
+    }
     begins(Pass::IntegrateAfter);
-    let not_finite = p19_integrate_after::run(setup, executor, new);
+    let not_finite = p20_integrate_after::run(setup, executor, new);
+    if makes_air {
+        begins(Pass::Air);
+        settled.refused = p21_air::run(setup, new, (s.bare, s.birth), s.slot_of).refused;
+    }
 
     begins(Pass::Commit);
-    p21_commit::verdict(&Status { not_finite, ..fine }, places)?;
+    p22_commit::verdict(&Status { not_finite, ..fine }, places)?;
     Ok(settled)
+}
+
+/// Moves the particles of `old` and puts them into their slots in `new`: all passes before the density.
+fn arrange(
+    setup: Setup<'_>,
+    executor: &impl Executor,
+    begins: &mut dyn FnMut(Pass),
+    fine: &Status,
+    old: &State<'_>,
+    new: &mut State<'_>,
+    s: &mut Scratch<'_>,
+) -> Result<(), StepError> {
+    let (m, places) = (setup.model, setup.model.cell_places);
+    begins(Pass::IntegrateBefore);
+    // the moved particles wait where densities and accelerations will stand
+    let (waiting_position, waiting_velocity) = (&mut *new.density_pressure, &mut *new.acceleration);
+    p01_integrate_before::run(setup, executor, old, waiting_position, waiting_velocity);
+
+    begins(Pass::Count);
+    let out_of_range = p02_count::find(setup, executor, [&*waiting_position, &*waiting_velocity], old.id, s.cell);
+    p22_commit::verdict(&Status { out_of_range, ..*fine }, places)?;
+    p02_count::run(s.cell, s.rank, s.counter);
+    if places > 0 {
+        begins(Pass::CellLists);
+        let cell_full = p03_cell_lists::run(s.cell, s.rank, places, s.grid_cells);
+        let cell_count = if cell_full == NONE { 0 } else { s.counter[cell_full as usize] };
+        p22_commit::verdict(&Status { cell_full, cell_count, ..*fine }, places)?;
+    }
+    begins(Pass::Scan);
+    p04_scan::run(s.counter, s.begin);
+    if places == 0 {
+        begins(Pass::Place);
+        p05_place::run(s.cell, s.rank, s.begin, s.order);
+    }
+    begins(Pass::Order);
+    let sorted = Cells { begin: s.begin, counter: s.counter };
+    p06_order::run(setup, executor, sorted, (s.grid_cells, places), old.id, s.order, new.id);
+    if m.springs == 1 || m.air == 1 {
+        p06_order::find(new.id, s.slot_of);
+    }
+    begins(Pass::Gather);
+    p07_gather::run(executor, s.order, waiting_position, new.position);
+    p07_gather::run(executor, s.order, waiting_velocity, new.velocity);
+    if m.needs_previous() {
+        p07_gather::run(executor, s.order, old.density_pressure, s.previous);
+    }
+    if m.thermal_energy == 1 {
+        p07_gather::run(executor, s.order, old.heat, new.heat);
+    }
+    if m.variable_support == 1 {
+        begins(Pass::Support);
+        p08_support::run(setup, executor, s.previous);
+    }
+    Ok(())
 }

@@ -61,6 +61,14 @@ pub struct SpringStorage<const N: usize, const ENDS: usize, const CHANGING: usiz
     slot_of: [u32; N],
 }
 
+/// Memory for a coat of air; `N` is that of [`Storage`], of all particles.
+#[derive(Debug, bytemuck::Zeroable)]
+pub struct AirStorage<const N: usize> {
+    bare: [f32x4; N],
+    birth: [u32; N],
+    slot_of: [u32; N],
+}
+
 /// Memory for kernels as tables.
 #[derive(Debug, bytemuck::Zeroable)]
 pub struct TableStorage([f32; TABLE_WORDS]);
@@ -106,6 +114,8 @@ impl<const N: usize, const CELLS: usize> Storage<N, CELLS> {
                 previous: &mut [],
                 free: &mut [],
                 slot_of: &mut [],
+                bare: &mut [],
+                birth: &mut [],
             },
             springs: Springs { of: &mut [], ends: [&mut [], &mut []] },
             tables: &mut [],
@@ -188,6 +198,14 @@ impl<'m> Memory<'m> {
         self
     }
 
+    /// And a coat of air. With springs, [`Memory::with_springs`] lends a part of the same, and either order will do.
+    #[must_use]
+    pub fn with_air<const N: usize>(mut self, air: &'m mut AirStorage<N>) -> Memory<'m> {
+        let scratch = &mut self.scratch;
+        (scratch.bare, scratch.birth, scratch.slot_of) = (&mut air.bare, &mut air.birth, &mut air.slot_of);
+        self
+    }
+
     /// And kernels as tables.
     #[must_use]
     pub fn with_tables(mut self, tables: &'m mut TableStorage) -> Memory<'m> {
@@ -235,6 +253,7 @@ all_zero!(SpringStorage<N, ENDS, CHANGING> = SpringStorage {
     changing: [[0; 2]; CHANGING],
     slot_of: [0; N],
 });
+all_zero!(AirStorage<N> = AirStorage { bare: [[0.0; 4]; N], birth: [0; N], slot_of: [0; N] });
 all_zero!(TableStorage<> = TableStorage([0.0; TABLE_WORDS]));
 all_zero!(FieldStorage<NODES> = FieldStorage([[0.0; 4]; NODES]));
 

@@ -63,8 +63,12 @@ arrays! {
     Free = "free": "array<f32x4>",
     /// Where the force pass writes: the new accelerations, or those without pressure.
     ForceOut = "force_out": "array<f32x4>",
-    /// Slot of each particle, by id; with springs.
+    /// Slot of each particle, by id; with springs or air.
     SlotOf = "slot_of": "array<u32>",
+    /// Gradient of the colour of all that is there, and who is bare; with air.
+    Bare = "bare": "array<f32x4>",
+    /// Beside whom air is to be made, and behind these entries a queue of them; with air.
+    Birth = "birth": "array<u32>",
     /// What each particle has of springs, by id.
     SpringsOf = "springs_of": "array<u32x4>",
     /// Ends of springs before the step.
@@ -105,6 +109,7 @@ pub const UNIFORMS: u32 = 2;
 
 /// The arrays of a pass, in the order of their bindings (after the [`UNIFORMS`]). At most 8, wgpu's default limit.
 #[must_use]
+#[allow(clippy::too_many_lines, reason = "one table, of everything")]
 pub fn arrays(pass: Pass) -> &'static [(Array, Access)] {
     use Access::{Atomic, Read, Write};
     use Array::*;
@@ -118,10 +123,26 @@ pub fn arrays(pass: Pass) -> &'static [(Array, Access)] {
             (NewDensityPressure, Write),
             (NewAcceleration, Write),
         ],
-        Pass::Count => &[(Head, Atomic), (NewDensityPressure, Read), (OldId, Read), (Cell, Write), (Rank, Write)],
+        Pass::Count => &[
+            (Head, Atomic),
+            (NewDensityPressure, Read),
+            (NewAcceleration, Read),
+            (OldId, Read),
+            (Cell, Write),
+            (Rank, Write),
+        ],
         Pass::CellLists => &[(Head, Atomic), (Cell, Read), (Rank, Read), (GridCells, Write)],
         Pass::Scan => &[(Head, Read), (Begin, Write)],
-        Pass::Place => &[(Head, Read), (Cell, Read), (Rank, Read), (Begin, Read), (Order, Write)],
+        Pass::Place => &[
+            (Head, Read),
+            (Cell, Read),
+            (Rank, Read),
+            (Begin, Read),
+            (OldId, Read),
+            (Order, Write),
+            (NewId, Write),
+            (SlotOf, Write),
+        ],
         Pass::Order => &[
             (Head, Read),
             (Begin, Read),
@@ -159,6 +180,7 @@ pub fn arrays(pass: Pass) -> &'static [(Array, Access)] {
             (NewDensityPressure, Read),
             (Previous, Read),
             (NewNormal, Write),
+            (Bare, Write),
         ],
         Pass::Tension => &[
             (Head, Read),
@@ -220,6 +242,17 @@ pub fn arrays(pass: Pass) -> &'static [(Array, Access)] {
             (Previous, Read),
             (NewSmoothing, Write),
         ],
+        Pass::Coat => &[(Head, Read), (Begin, Read), (NewPosition, Read), (Bare, Read), (NewId, Read), (Birth, Write)],
+        Pass::Air => &[
+            (Head, Atomic),
+            (NewPosition, Write),
+            (NewVelocity, Write),
+            (NewAcceleration, Write),
+            (NewDensityPressure, Write),
+            (Bare, Read),
+            (Birth, Write),
+            (SlotOf, Read),
+        ],
         Pass::IntegrateAfter => &[
             (Head, Atomic),
             (NewPosition, Write),
@@ -248,7 +281,7 @@ pub enum Threads {
 pub fn threads(pass: Pass) -> Threads {
     match pass {
         Pass::Order => Threads::Cells,
-        Pass::Scan | Pass::PressureSettle | Pass::Commit => Threads::OneGroup,
+        Pass::Scan | Pass::PressureSettle | Pass::Air | Pass::Commit => Threads::OneGroup,
         _ => Threads::Particles,
     }
 }
@@ -256,8 +289,8 @@ pub fn threads(pass: Pass) -> Threads {
 /// Threads of a work group of a pass.
 #[must_use]
 pub fn workgroup(pass: Pass) -> u32 {
-    // the scan's only group is wide: each of its threads walks its share of all cells
-    if pass == Pass::Scan { 256 } else { millpond_core::layout::WORKGROUP }
+    // where the only group is wide, each of its threads walks its share of all cells, or of all particles
+    if matches!(pass, Pass::Scan | Pass::Air) { 256 } else { millpond_core::layout::WORKGROUP }
 }
 
 /// WGSL declarations of the arrays of a pass.

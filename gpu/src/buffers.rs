@@ -36,6 +36,8 @@ pub(crate) struct Buffers {
     previous: wgpu::Buffer,
     free: wgpu::Buffer,
     slot_of: wgpu::Buffer,
+    bare: wgpu::Buffer,
+    birth: wgpu::Buffer,
     springs_of: wgpu::Buffer,
     plastic: bool,
     corrects_pressure: bool,
@@ -87,8 +89,13 @@ impl Buffers {
         let vectors = n * size_of::<f32x4>();
         let m = &solver.plan().model;
         let if_needed = |needed: bool| if needed { vectors } else { 0 };
+        // what became of the air so far goes on being counted
+        let air = solver.air();
+        let refused = air.refused.min(u64::from(u32::MAX)) as u32;
+        let status = Status { air_alive: air.alive, air_refused: refused, ..Status::fine(solver.steps() as u32) };
+        let queue = if m.air == 1 { 2 * n - parameters.first_air as usize } else { 0 };
         let head = storage.room("head", size_of::<Status>() + words(cells))?;
-        gpu.queue.write_buffer(&head, 0, bytemuck::bytes_of(&Status::fine(solver.steps() as u32)));
+        gpu.queue.write_buffer(&head, 0, bytemuck::bytes_of(&status));
         let mut tables = [0.0; TABLE_WORDS];
         tables[..solver.tables().len()].copy_from_slice(solver.tables());
         Ok(Buffers {
@@ -122,7 +129,9 @@ impl Buffers {
             ],
             previous: storage.room("previous", if_needed(m.needs_previous()))?,
             free: storage.room("free", if_needed(m.corrects_pressure()))?,
-            slot_of: storage.room("slot_of", words(solver.springs_of().len()))?,
+            slot_of: storage.room("slot_of", words(if m.springs == 1 || m.air == 1 { n } else { 0 }))?,
+            bare: storage.room("bare", if_needed(m.air == 1))?,
+            birth: storage.room("birth", words(queue))?,
             springs_of: storage.filled("springs", solver.springs_of())?,
             plastic: m.plastic == 1,
             corrects_pressure: m.corrects_pressure(),
@@ -154,6 +163,8 @@ impl Buffers {
             Array::NewNormal => &to.normal,
             Array::NewId => &to.id,
             Array::SlotOf => &self.slot_of,
+            Array::Bare => &self.bare,
+            Array::Birth => &self.birth,
             Array::SpringsOf => &self.springs_of,
             // lengths at rest that do not change stay in the first
             Array::OldEnds => {

@@ -49,8 +49,10 @@ fn loop_text(pass: Pass) -> &'static str {
         Pass::PressureSettle => include_str!("shaders/p16_pressure_settle.wgsl"),
         Pass::Heat => include_str!("shaders/p17_heat.wgsl"),
         Pass::Smooth => include_str!("shaders/p18_smooth.wgsl"),
-        Pass::IntegrateAfter => include_str!("shaders/p19_integrate_after.wgsl"),
-        Pass::Commit => include_str!("shaders/p21_commit.wgsl"),
+        Pass::Coat => include_str!("shaders/p19_coat.wgsl"),
+        Pass::IntegrateAfter => include_str!("shaders/p20_integrate_after.wgsl"),
+        Pass::Air => include_str!("shaders/p21_air.wgsl"),
+        Pass::Commit => include_str!("shaders/p22_commit.wgsl"),
     }
 }
 

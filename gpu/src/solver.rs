@@ -5,7 +5,7 @@ use crate::error::GpuError;
 use crate::pipelines::{Command, commands, record};
 use millpond_core::hash::state_hash;
 use millpond_core::layout::{Status, f32x4, u32x2};
-use millpond_core::{CorrectionReport, SceneError, Solver, verdict};
+use millpond_core::{AirReport, CorrectionReport, SceneError, Solver, verdict};
 
 /// Steps that are recorded before the status is read: a failed step is found at most this late, and costs nothing more.
 pub const STEPS_PER_STATUS: u32 = 64;
@@ -170,6 +170,15 @@ impl GpuSolver {
             total_iterations: u64::from(status.total_iterations),
             residual: f32::from_bits(status.last_residual),
         })
+    }
+
+    /// What became of the coat of air, as [`Solver::air`] says it; all zero where a scene has none.
+    ///
+    /// # Errors
+    /// The device failed.
+    pub fn air(&self) -> Result<AirReport, GpuError> {
+        let status = self.status()?;
+        Ok(AirReport { alive: status.air_alive, refused: u64::from(status.air_refused) })
     }
 
     /// What the device has to say for itself.

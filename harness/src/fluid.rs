@@ -7,7 +7,7 @@ use crate::scenes::Named;
 use millpond_core::hash::state_hash;
 use millpond_core::layout::{f32x4, u32x2};
 use millpond_core::scene::{Place, Scene};
-use millpond_core::{CorrectionReport, Solver};
+use millpond_core::{AirReport, CorrectionReport, Solver};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 
 /// Set to `1`, it turns a missing GPU into a failure, so that no comparison is skipped unseen.
@@ -169,6 +169,17 @@ impl<'a> Fluid<'a> {
         match self {
             Fluid::Cpu { solver, .. } => Ok(solver.correction()),
             Fluid::Gpu { solver, .. } => Ok(solver.correction()?),
+        }
+    }
+
+    /// What became of the coat of air.
+    ///
+    /// # Errors
+    /// The device failed.
+    pub fn air(&self) -> Result<AirReport, Failure> {
+        match self {
+            Fluid::Cpu { solver, .. } => Ok(solver.air()),
+            Fluid::Gpu { solver, .. } => Ok(solver.air()?),
         }
     }
 

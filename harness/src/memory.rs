@@ -23,6 +23,8 @@ pub struct Heap {
     springs_of: Vec<u32x4>,
     spring_ends: [Vec<u32x2>; 2],
     slot_of: Vec<u32>,
+    bare: Vec<f32x4>,
+    birth: Vec<u32>,
     tables: Vec<f32>,
     field: Vec<f32x4>,
 }
@@ -38,7 +40,7 @@ impl Heap {
     #[must_use]
     pub fn with(needs: Needs) -> Heap {
         let Needs { particles: n, cells, places, smoothing, heat, previous, free, tables, nodes, .. } = needs;
-        let Needs { normals, springs, spring_ends, plastic, .. } = needs;
+        let Needs { normals, springs, spring_ends, plastic, air, .. } = needs;
         let sprung = if springs { n } else { 0 };
         let if_needed = |needed: bool| vec![[0.0; 4]; if needed { n } else { 0 }];
         let state = || [(); 4].map(|()| vec![[0.0; 4]; n]);
@@ -58,7 +60,9 @@ impl Heap {
             normal: [if_needed(normals), if_needed(normals)],
             springs_of: vec![[0; 4]; sprung],
             spring_ends: [vec![[0; 2]; spring_ends], vec![[0; 2]; if plastic { spring_ends } else { 0 }]],
-            slot_of: vec![0; sprung],
+            slot_of: vec![0; if springs || air { n } else { 0 }],
+            bare: if_needed(air),
+            birth: vec![0; if air { n } else { 0 }],
             tables: vec![0.0; if tables { TABLE_WORDS } else { 0 }],
             field: vec![[0.0; 4]; nodes],
         }
@@ -92,6 +96,8 @@ impl Heap {
                 previous: &mut self.previous,
                 free: &mut self.free,
                 slot_of: &mut self.slot_of,
+                bare: &mut self.bare,
+                birth: &mut self.birth,
             },
             springs: Springs { of: &mut self.springs_of, ends: self.spring_ends.each_mut().map(Vec::as_mut_slice) },
             tables: &mut self.tables,

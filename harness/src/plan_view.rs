@@ -145,6 +145,7 @@ fn bytes_saved(scene: &Scene, needs: Needs, what: &str) -> usize {
         "kernel tables" => Needs { tables: true, ..needs },
         "normals" => Needs { normals: true, ..needs },
         "elasticity" => Needs { springs: true, spring_ends: ends, ..needs },
+        "air" => Needs { air: true, ..needs },
         "plasticity" => Needs { plastic: true, spring_ends: ends, springs: true, ..needs },
         _ => needs,
     };
@@ -163,7 +164,8 @@ fn with_lists(scene: &Scene) -> Scene {
 /// Memory of a scene with all that this version can leave out.
 fn everything(scene: &Scene) -> usize {
     let lists = with_lists(scene);
-    Needs { previous: true, free: true, tables: true, ..Needs::by_plan(&lists, &Plan::everything(&lists)) }.bytes()
+    let plan = Plan::everything(&lists);
+    Needs { previous: true, free: true, tables: true, air: true, ..Needs::by_plan(&lists, &plan) }.bytes()
 }
 
 /// Times the two plans in turn, so that both meet the same mood of the machine.

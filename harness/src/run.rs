@@ -9,10 +9,10 @@ use crate::output::{deliver, make_folder, progress};
 use crate::pool::Pool;
 use crate::scenes::{Named, load};
 use crate::timing::{Milliseconds, timed};
-use millpond_core::CorrectionReport;
 use millpond_core::guided::{particle_mass, support_radius};
 use millpond_core::kernel::slope;
 use millpond_core::scene::{Dimension, EquationOfState, Kernel, NearPressure, Scene};
+use millpond_core::{AirReport, CorrectionReport};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -38,7 +38,7 @@ pub struct Outcome {
     pub scene: String,
     /// What it ran on.
     pub backend: String,
-    /// Particles, those of walls too.
+    /// Particles, those of walls too, and air that is not there.
     pub particles: usize,
     /// Of these, walls'.
     pub wall_particles: usize,
@@ -58,6 +58,8 @@ pub struct Outcome {
     pub energy: Energy,
     /// Iterations of pressure; absent with an equation of state.
     pub pressure_correction: Option<PressureCorrection>,
+    /// The coat of air after the last step; absent where the scene has none.
+    pub air: Option<Air>,
     /// State hash after the last step.
     pub hash: String,
     /// What a user should know.
@@ -86,6 +88,15 @@ pub struct PressureCorrection {
     pub last_iterations: u32,
     /// Largest density miss that the last step was left with, over the rest density.
     pub residual: f32,
+}
+
+/// What became of the coat of air.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Air {
+    /// Particles that there are.
+    pub alive: u32,
+    /// Births for which none was left, in all steps.
+    pub refused: u64,
 }
 
 /// Largest share of its support that sound and the fastest particle together may cross in a step: past it explicit
@@ -161,6 +172,13 @@ pub fn run(
     } else {
         None
     };
+    let air = match scene.air {
+        Some(_) => {
+            let AirReport { alive, refused } = fluid.air()?;
+            Some(Air { alive, refused })
+        }
+        None => None,
+    };
     let last_census = census(scene, &last)?;
     let neighbours = FirstLast { first: first_census.average_neighbours, last: last_census.average_neighbours };
     let sound = f64::from(scene.fluid.speed_of_sound);
@@ -182,6 +200,9 @@ pub fn run(
             "the scene's field is its host's to fill, and this program fills none: it acts as if it were 0".into(),
         );
     }
+    if air.is_some_and(|air| air.refused > 0) {
+        warnings.push("a bare surface found no air left to be made: a larger air.capacity covers all of it".into());
+    }
     warnings.extend(pairing_warnings(scene));
     if last_census.density_error.mean > 0.03 {
         let percent = last_census.density_error.mean * 100.0;
@@ -193,7 +214,7 @@ pub fn run(
         scene: named.name.clone(),
         backend: fluid.backend(),
         particles: last.position.len(),
-        wall_particles: scene.particle_count() - scene.fluid_count(),
+        wall_particles: scene.wall_count(),
         steps: done,
         simulated_s: done as f64 * f64::from(scene.time_step),
         wall_s,
@@ -209,6 +230,7 @@ pub fn run(
             potential: FirstLast { first: first_census.energies.potential, last: last_census.energies.potential },
         },
         pressure_correction,
+        air,
         hash: format!("{:016x}", last.hash()),
         warnings,
         pictures: film.finish(),
@@ -238,6 +260,9 @@ pub fn report(named: &Named, outcome: &Outcome) -> String {
     if let Some(p) = o.pressure_correction {
         let (mean, last, left) = (p.mean_iterations, p.last_iterations, p.residual * 100.0);
         row("iterations of pressure", format!("{mean:.1} a step, {last} in the last, which leaves {left:.2} %"));
+    }
+    if let Some(Air { alive, refused }) = o.air {
+        row("coat of air", format!("{alive} particles, {refused} births refused"));
     }
     row("hash", o.hash.clone());
     for warning in &o.warnings {

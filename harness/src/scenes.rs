@@ -225,6 +225,11 @@ fn scale(scene: &mut Scene, particles: u64) -> Result<(), Failure> {
         grow(&mut field.low);
         field.spacing = (f64::from(field.spacing) * factor) as f32;
     }
+    if let Some(air) = &mut scene.air {
+        // a coat grows as the surface does
+        let surface = factor.powi(scene.dimension.count() as i32 - 1);
+        air.capacity = (f64::from(air.capacity) * surface).ceil().max(1.0) as u32;
+    }
     // a larger scene needs more cells, or far particles come to share them
     let axes = scene.dimension.count();
     for cells in &mut scene.grid.cells[..axes] {

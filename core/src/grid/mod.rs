@@ -4,7 +4,7 @@
 //! then x ascending in unwrapped coordinates, and members of a cell stand in the order of their ids: this order of
 //! summation is part of the specification, and no structure, grid size or history changes it.
 use crate::executor::share_of;
-use crate::layout::{Parameters, f32x4};
+use crate::layout::{Model, Parameters, f32x4};
 use core::ops::Range;
 
 /// A coordinate past this many cells from the origin cannot tell its cell any more.
@@ -42,6 +42,12 @@ pub fn cell_of(p: &Parameters, position: f32x4) -> Result<u32, u32> {
         *c = cell_coordinate(p, axis, position[axis]).ok_or(axis as u32)?;
     }
     Ok(cell_index(p, c))
+}
+
+/// Is this the cell of air that is not there? It is the last one, and no stencil reaches it.
+#[inline(always)]
+pub(crate) fn is_limbo(m: &Model, p: &Parameters, cell: usize) -> bool {
+    m.air == 1 && cell + 1 == p.cells[3] as usize
 }
 
 /// The sorted particles: those of cell `c` stand at slots `begin[c] ..`, `counter[c]` of them.

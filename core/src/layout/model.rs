@@ -64,6 +64,8 @@ shared! {
         pub springs: u32,
         /// 1: their lengths at rest change.
         pub plastic: u32,
+        /// 1: there is a coat of air.
+        pub air: u32,
         /// 1: thermal energy is kept account of.
         pub thermal_energy: u32,
         /// 1: particles move with their neighbours.
@@ -129,6 +131,7 @@ impl Model {
             fluids: 0,
             states: 0,
             numbers: 0,
+            air: 0,
             tension: if self.has_curvature() { self.tension } else { 0 },
             ..*self
         }

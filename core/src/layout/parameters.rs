@@ -11,7 +11,7 @@ shared! {
     /// What every pass reads. SI units, as in 3D; in 2D masses are per metre of depth, and constants of kernels have one
     /// metre less below the line.
     pub struct Parameters {
-        /// Cells along x, y, z, and in all.
+        /// Cells along x, y, z, and in all: with air one more than these make, for particles that are not there.
         pub cells: u32x4,
         /// One over the edge of a cell along x, y, z, 1/m; w unused.
         pub inverse_cell: f32x4,
@@ -33,7 +33,8 @@ shared! {
         pub field_counts: u32x4,
         /// Penalty walls: inward unit normal, and offset along it in m.
         pub planes: Planes,
-        /// Kinds of particle: dynamic viscosity in Pa s, 1 for a wall, rest density over the first fluid's, number of the fluid.
+        /// Kinds of particle: dynamic viscosity in Pa s, 1 for a wall and 2 for air that is not there, rest density
+        /// over the first fluid's, number of the fluid.
         pub species: Kinds,
         /// Constant of the equation of state, near pressure at rest (thesis) or over the near sum (article), both in Pa, speed
         /// of sound in m/s, number of the equation.
@@ -124,12 +125,20 @@ shared! {
         pub bounce: f32,
         /// Share of the tangential velocity that it leaves.
         pub slip: f32,
+        /// Distance of particles at the start, m.
+        pub spacing: f32,
+        /// Length of the normal of all that is there from which on a particle of liquid is bare, 1/m.
+        pub air_threshold: f32,
+        /// Share of its density at rest below which a particle of air vanishes.
+        pub air_minimum: f32,
+        /// Thermal energy of air that is made, J/kg.
+        pub air_heat: f32,
+        /// Number of the fluid that the air is.
+        pub air_fluid: f32,
+        /// First id of the coat's particles, which are the last.
+        pub first_air: u32,
         /// Unused.
         pub pad0: u32,
-        /// Unused.
-        pub pad1: u32,
-        /// Unused.
-        pub pad2: u32,
     }
 }
 

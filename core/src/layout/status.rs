@@ -33,6 +33,14 @@ shared! {
         pub last_residual: u32,
         /// Iterations of all steps that count.
         pub total_iterations: u32,
+        /// Births of air in this step for which no particle was left.
+        pub refused: u32,
+        /// Of all steps that count.
+        pub air_refused: u32,
+        /// Particles of the coat of air that are there after this step.
+        pub alive: u32,
+        /// After the last step that counts.
+        pub air_alive: u32,
     }
 }
 

@@ -89,9 +89,10 @@ impl Particles<'_> {
         }
     }
 
-    /// Are all particles `first ..= last` walls'? Nothing acts on those.
+    /// Are all particles `first ..= last` walls', or air that is not there? Nothing acts on those.
     #[inline(always)]
     pub(super) fn are_walls(&self, setup: &Setup<'_>, first: usize, last: usize) -> bool {
-        setup.model.wall_particles != 0 && self.velocity[first..=last].iter().all(|v| is_wall(setup.parameters, v[3]))
+        let held = setup.model.wall_particles != 0 || setup.model.air == 1;
+        held && self.velocity[first..=last].iter().all(|v| is_wall(setup.parameters, v[3]))
     }
 }

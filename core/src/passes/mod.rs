@@ -21,8 +21,10 @@ pub(crate) mod p15_pressure_correct;
 pub(crate) mod p16_pressure_settle;
 pub(crate) mod p17_heat;
 pub(crate) mod p18_smooth;
-pub(crate) mod p19_integrate_after;
-pub(crate) mod p21_commit;
+pub(crate) mod p19_coat;
+pub(crate) mod p20_integrate_after;
+pub(crate) mod p21_air;
+pub(crate) mod p22_commit;
 pub(crate) mod pairs;
 
 use crate::arithmetic::level::Simd;
@@ -49,6 +51,12 @@ fn kind(w: f32) -> usize {
 #[inline(always)]
 fn is_wall(p: &Parameters, w: f32) -> bool {
     p.species[kind(w)][1] > 0.0
+}
+
+/// Is it of air that is not there?
+#[inline(always)]
+pub(crate) fn is_dormant(p: &Parameters, w: f32) -> bool {
+    p.species[kind(w)][1] > 1.0
 }
 
 /// Number `i` of the rows of particles `first ..= last` in the lanes: what their kinds have of their own.

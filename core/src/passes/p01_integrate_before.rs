@@ -59,7 +59,7 @@ impl Work for &mut Job<'_> {
             if m.xsph == 1 {
                 way = way + load(old.smoothing, first, last);
             }
-            if m.wall_particles != 0 {
+            if m.wall_particles != 0 || m.air == 1 {
                 way = if_free(m, way, row_of(m, &p.species, old.velocity, first, last, 1));
             }
             let x = wrap(m, p, drift::<R>(load(old.position, first, last), way, dt));

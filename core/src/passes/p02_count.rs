@@ -1,13 +1,15 @@
 //! The cell that each particle comes to, how many particles each cell gets, and the how-manieth of its cell each is.
 //!
 //! Counting is serial: it is one increment a particle. On a GPU the ranks depend on who comes first; `p06_order` undoes
-//! that.
+//! that. Air that is not there comes to the last cell, wherever it lies.
+use super::{Setup, is_dormant};
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::grid::cell_of;
-use crate::layout::{NONE, Parameters, f32x4};
+use crate::layout::{NONE, f32x4};
 
 struct Job<'a> {
     position: &'a [f32x4],
+    velocity: &'a [f32x4],
     id: &'a [u32],
     cell: &'a mut [u32],
     /// Smallest `4 id + axis` beyond the grid's range.
@@ -15,15 +17,27 @@ struct Job<'a> {
 }
 
 /// Fills `cell`; returns the smallest `4 id + axis` out of range, or [`NONE`].
-pub(crate) fn find(p: &Parameters, executor: &impl Executor, position: &[f32x4], id: &[u32], cell: &mut [u32]) -> u32 {
+pub(crate) fn find(
+    setup: Setup<'_>,
+    executor: &impl Executor,
+    [position, velocity]: [&[f32x4]; 2],
+    id: &[u32],
+    cell: &mut [u32],
+) -> u32 {
+    let (m, p) = (setup.model, setup.parameters);
     let mut cells = cell;
     let mut jobs = Jobs::new();
     for slots in shares(id.len(), parts(executor)) {
         let cell = take(&mut cells, slots.len());
-        let _ = jobs.push(Job { position: &position[slots.clone()], id: &id[slots], cell, out_of_range: NONE });
+        let (position, velocity) = (&position[slots.clone()], &velocity[slots.clone()]);
+        let _ = jobs.push(Job { position, velocity, id: &id[slots], cell, out_of_range: NONE });
     }
     executor.run(&mut jobs, |job| {
-        for ((cell, x), id) in job.cell.iter_mut().zip(job.position).zip(job.id) {
+        for (((cell, x), v), id) in job.cell.iter_mut().zip(job.position).zip(job.velocity).zip(job.id) {
+            if m.air == 1 && is_dormant(p, v[3]) {
+                *cell = p.cells[3] - 1;
+                continue;
+            }
             match cell_of(p, *x) {
                 Ok(index) => *cell = index,
                 Err(axis) => job.out_of_range = job.out_of_range.min(4 * id + axis),

@@ -1,8 +1,11 @@
 //! Ascending id inside each cell: the order of every sum, whatever the grid, its structure and the past.
 //!
+//! Air that is not there stays unsorted: nothing is ever summed over it, and it may be much in one cell.
+//!
 //! Insertion sort: a cell holds few particles, and most of them stood in this order before.
+use super::Setup;
 use crate::executor::{Executor, Jobs, parts, take};
-use crate::grid::Cells;
+use crate::grid::{Cells, is_limbo};
 use core::ops::Range;
 
 struct Job<'a> {
@@ -14,6 +17,7 @@ struct Job<'a> {
 
 /// Fills `id` and puts `order` in order. With cell lists (`places` not 0), takes the members from `grid_cells` first.
 pub(crate) fn run(
+    setup: Setup<'_>,
     executor: &impl Executor,
     cells: Cells<'_>,
     (grid_cells, places): (&[u32], u32),
@@ -37,6 +41,12 @@ pub(crate) fn run(
                 let first_place = cell * places as usize;
                 order.copy_from_slice(&grid_cells[first_place..first_place + order.len()]);
             }
+            if is_limbo(setup.model, setup.parameters, cell) {
+                for (id, &slot) in job.id[slots].iter_mut().zip(&*order) {
+                    *id = old_id[slot as usize];
+                }
+                continue;
+            }
             sort(old_id, order, &mut job.id[slots]);
         }
     });
@@ -55,5 +65,12 @@ fn sort(old_id: &[u32], order: &mut [u32], id: &mut [u32]) {
         }
         order[j] = slot;
         id[j] = key;
+    }
+}
+
+/// Slot of each particle, by id. Only with springs or air.
+pub(crate) fn find(id: &[u32], slot_of: &mut [u32]) {
+    for (slot, &id) in id.iter().enumerate() {
+        slot_of[id as usize] = slot as u32;
     }
 }

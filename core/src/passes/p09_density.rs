@@ -9,7 +9,7 @@ use super::{Setup, kind, load, load_one, row_of};
 use crate::arithmetic::level::Work;
 use crate::arithmetic::real::{Real, less, real, select, vec3};
 use crate::executor::{Executor, Jobs, parts, share_of, take};
-use crate::grid::{Cells, Stencil};
+use crate::grid::{Cells, Stencil, is_limbo};
 use crate::layout::{Model, f32x4};
 use crate::terms::correction::pressure_carried;
 use crate::terms::density::{
@@ -160,6 +160,12 @@ impl Job<'_> {
         for cell in self.cells.clone() {
             let members = self.sorted.members(cell);
             if members.is_empty() {
+                continue;
+            }
+            if is_limbo(m, p, cell) {
+                let slots = members.start - self.first_slot..members.end - self.first_slot;
+                self.out[slots.clone()].fill([0.0, 0.0, 0.0, p.rest_volume]);
+                self.block[slots].fill([0; 2]);
                 continue;
             }
             let stencil = Stencil::around(p, m.layers as i32, self.sorted, cell);

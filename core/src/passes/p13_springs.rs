@@ -45,13 +45,6 @@ impl Sprung<'_> {
     }
 }
 
-/// Slot of each particle, by id.
-pub(crate) fn find(id: &[u32], slot_of: &mut [u32]) {
-    for (slot, &id) in id.iter().enumerate() {
-        slot_of[id as usize] = slot as u32;
-    }
-}
-
 /// Adds to `acceleration`.
 pub(crate) fn run(setup: Setup<'_>, executor: &impl Executor, sprung: Sprung<'_>, acceleration: &mut [f32x4]) {
     let mut rest = acceleration;

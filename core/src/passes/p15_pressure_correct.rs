@@ -1,6 +1,6 @@
 //! One iteration of pressure: how far the next density would miss, and what mends it. Only where pressure is corrected.
-use super::load;
 use super::pairs::{Block, Job, PairPass, fold};
+use super::{is_dormant, load};
 use crate::arithmetic::real::{Real, less, real, select, vec3};
 use crate::layout::f32x4;
 use crate::terms::correction::{density_miss, predicted_velocity, pressure_corrected, residual};
@@ -24,7 +24,9 @@ impl PairPass for PressureCorrect<'_> {
         let (setup, particles) = (block.setup, block.particles);
         let (m, p, t) = (setup.model, setup.parameters, setup.tables);
         let (first, last) = (block.first, block.last);
-        if m.wall_particles == MIRRORED && particles.are_walls(setup, first, last) {
+        // those of a cell are all of air that is not there, or none
+        let absent = m.air == 1 && is_dormant(p, particles.velocity[first][3]);
+        if absent || (m.wall_particles == MIRRORED && particles.are_walls(setup, first, last)) {
             return 0;
         }
         let a = particles.receivers::<R>(setup, first, last);

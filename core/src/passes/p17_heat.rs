@@ -22,6 +22,11 @@ impl PairPass for Heat<'_> {
         let (setup, particles) = (block.setup, block.particles);
         let (m, p, t) = (setup.model, setup.parameters, setup.tables);
         let (first, last) = (block.first, block.last);
+        if m.air == 1 && super::is_dormant(p, particles.velocity[first][3]) {
+            // as fresh as whoever is made of it next
+            own.fill([p.air_heat, 0.0, 0.0, 0.0]);
+            return 0;
+        }
         if particles.are_walls(setup, first, last) {
             return 0;
         }

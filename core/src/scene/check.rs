@@ -110,6 +110,7 @@ impl Scene {
         positive("model.surface_threshold", self.model.surface_threshold)?;
         let Some(air) = &self.air else { return Ok(()) };
         known_fluid(self, "air.fluid", air.fluid)?;
+        positive("air.capacity", air.capacity as f32)?;
         positive("air.threshold", air.threshold)?;
         share("air.minimum_density", air.minimum_density)
     }
@@ -245,7 +246,7 @@ impl Scene {
             }
             particles = particles.saturating_add(walls::wall_count(w, self));
         }
-        check_count(particles)
+        check_count(particles.saturating_add(self.air_capacity() as u64))
     }
 
     fn check_plane(&self) -> Result<(), SceneError> {

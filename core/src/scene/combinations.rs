@@ -1,14 +1,19 @@
 //! Choices that do not go together, refused by name before anything is touched.
 use super::check::positive;
 use super::{
-    Correction, DensityForm, EquationOfState, Evaluation, Fluid, Iteration, Kernel, NearPressure, PressureForce, Scene,
-    SurfaceTension, Viscosity, WallPressure,
+    Air, Correction, DensityForm, EquationOfState, Evaluation, Fluid, GridStructure, Iteration, Kernel, NearPressure,
+    PressureForce, Scene, SurfaceTension, Viscosity, WallPressure,
 };
 use crate::error::SceneError;
+use crate::guided::least_cell;
 
 /// Spacings that sound may travel in a step of the literal pressure correction: beyond, its iteration grows (errata of S0
 /// section 3.2.2).
 const LITERAL_SPACINGS: f32 = 1.5;
+
+/// Spacings that cells must have at least with air: from a place of birth, whoever could be about to give birth beside it is
+/// seen in the cells around, a spacing and the clearance of 3/4 away.
+const CELLS_WITH_AIR: f64 = 1.75;
 
 impl Scene {
     pub(super) fn check_combinations(&self) -> Result<(), SceneError> {
@@ -18,6 +23,7 @@ impl Scene {
         self.check_support()?;
         self.check_fluids()?;
         self.check_tension()?;
+        self.check_air()?;
         let model = &self.model;
         let one_sided = matches!(model.pressure_force, PressureForce::Canonical | PressureForce::Difference);
         if model.thermal_energy && one_sided {
@@ -219,6 +225,32 @@ impl Scene {
                 "model.surface_tension Curvature",
                 "a model.density_kernel with an edge at no distance",
                 "its Laplacian is infinite there",
+            ));
+        }
+        Ok(())
+    }
+
+    fn check_air(&self) -> Result<(), SceneError> {
+        let Some(Air { fluid, .. }) = self.air else { return Ok(()) };
+        if fluid == 0 {
+            return Err(not_together(
+                "air.fluid 0",
+                "a coat of air",
+                "the first fluid is the liquid: a scene's constants are of it",
+            ));
+        }
+        if matches!(self.grid.structure, GridStructure::CellLists { .. }) {
+            return Err(not_together(
+                "air",
+                "a grid.structure CellLists",
+                "all air that is not there lies in one cell, which would need a place for each",
+            ));
+        }
+        if least_cell(self) < CELLS_WITH_AIR * f64::from(self.particle_spacing) {
+            return Err(not_together(
+                "air",
+                "so few average_neighbours",
+                "a support must reach 1.75 spacings, so that two that are made never meet",
             ));
         }
         Ok(())

@@ -1,6 +1,7 @@
-//! Where particles are at the start: cell centres of a lattice, block after block, then wall after wall, x fastest.
+//! Where particles are at the start: cell centres of a lattice, block after block, then wall after wall, x fastest; last
+//! the air that is not there.
 use super::walls::wall_places;
-use super::{Block, Dimension, FIRST_BLOCK, Scene};
+use super::{Block, DORMANT, Dimension, FIRST_BLOCK, Scene};
 use crate::guided::hydrostatic_deviation;
 
 /// One particle at the start. Its thermal energy is the fluid's.
@@ -48,7 +49,8 @@ pub(super) fn whole(length: f32, scene: &Scene) -> u64 {
     if count > 0.0 { (count + 0.5) as u64 } else { 0 }
 }
 
-/// Every particle of a scene that [`Scene::check`] accepts, in order of its id: the fluid, then the walls.
+/// Every particle of a scene that [`Scene::check`] accepts, in order of its id: the fluid, then the walls, then
+/// air that is not there yet.
 pub fn places(scene: &Scene) -> impl Iterator<Item = Place> {
     // a linear congruential generator (Numerical Recipes): any fixed sequence will do
     let mut seed = 1u32;
@@ -74,7 +76,16 @@ pub fn places(scene: &Scene) -> impl Iterator<Item = Place> {
         }
         place
     });
-    fluid.chain(wall_places(scene))
+    fluid.chain(wall_places(scene)).chain(air_places(scene))
+}
+
+/// Air that is not there: it takes no part in anything, so it may lie anywhere.
+fn air_places(scene: &Scene) -> impl Iterator<Item = Place> {
+    let mut corner = scene.blocks.first().map_or([0.0; 3], |block| block.corner);
+    if scene.dimension == Dimension::Two {
+        corner[2] = 0.0;
+    }
+    core::iter::repeat_n(Place::of_fluid(DORMANT, corner, [0.0; 3]), scene.air_capacity())
 }
 
 /// All triples below `counts`, the first one fastest.

@@ -180,10 +180,21 @@ impl Scene {
         self.blocks.iter().map(count).sum::<u64>() as usize
     }
 
-    /// Particles of a scene that [`Scene::check`] accepts, those of walls too.
+    /// Particles of the walls of a scene that [`Scene::check`] accepts: their ids come next.
+    #[must_use]
+    pub fn wall_count(&self) -> usize {
+        self.walls.iter().map(|wall| walls::wall_count(wall, self)).sum::<u64>() as usize
+    }
+
+    /// Particles that the coat of air can have: their ids come last.
+    #[must_use]
+    pub fn air_capacity(&self) -> usize {
+        self.air.map_or(0, |air| air.capacity as usize)
+    }
+
+    /// Particles of a scene that [`Scene::check`] accepts, those of walls too, and air that is not there yet.
     #[must_use]
     pub fn particle_count(&self) -> usize {
-        let walls: u64 = self.walls.iter().map(|wall| walls::wall_count(wall, self)).sum();
-        self.fluid_count() + walls as usize
+        self.fluid_count() + self.wall_count() + self.air_capacity()
     }
 }

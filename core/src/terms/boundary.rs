@@ -11,10 +11,10 @@ pub fn depth_behind<R: Real>(position: vec3<R>, normal: vec3<R>, offset: R) -> R
     return offset - dot3(position, normal);
 }
 
-/// The same for a particle of the fluid; one of a wall stands where it stands.
+/// The same for a particle of the fluid; one of a wall, or of air that is not there, stands where it stands.
 #[inline(always)]
 pub fn depth_if_free<R: Real>(m: &Model, depth: R, wall: R) -> R {
-    if m.wall_particles == NO_WALLS {
+    if m.wall_particles + m.air == NO_WALLS {
         return depth;
     }
     return select(depth, real(0.0), less(real(0.0), wall));

@@ -20,6 +20,7 @@ macro_rules! texts {
     };
 }
 
+pub mod air;
 pub mod boundary;
 pub mod correction;
 pub mod density;
@@ -42,8 +43,8 @@ pub mod viscosity;
 pub mod wall;
 pub mod xsph;
 
-texts!(boundary correction density elastic exchange external geometry heat integrate near neighbour pair pressure state support
-    table tension viscosity wall xsph);
+texts!(air boundary correction density elastic exchange external geometry heat integrate near neighbour pair pressure state
+    support table tension viscosity wall xsph);
 
 /// All texts, in any order: WGSL does not mind.
 pub fn texts() -> impl Iterator<Item = (&'static str, &'static str)> {

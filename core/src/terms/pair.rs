@@ -24,7 +24,7 @@ pub struct Local<R> {
     pub volume: R,
     /// Dynamic viscosity, Pa s.
     pub viscosity: R,
-    /// Larger than 0 for a particle of a wall, 0 for a fluid's.
+    /// Larger than 0 for a particle of a wall, or of air that is not there; 0 for a fluid's.
     pub wall: R,
     /// Rest density of its fluid over that of the scene's first.
     pub rest: R,

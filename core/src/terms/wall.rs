@@ -29,10 +29,10 @@ pub fn pair_viscosity<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {
     return select((a.viscosity + b.viscosity) * 0.5, b.viscosity, less(real(0.0), b.wall));
 }
 
-/// 0 for what a particle of a wall would do, were it free.
+/// 0 for what a particle of a wall, or of air that is not there, would do, were it free.
 #[inline(always)]
 pub fn if_free<R: Real>(m: &Model, x: vec3<R>, wall: R) -> vec3<R> {
-    if m.wall_particles == NO_WALLS {
+    if m.wall_particles + m.air == NO_WALLS {
         return x;
     }
     let nothing: R = real(0.0);

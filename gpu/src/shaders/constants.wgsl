@@ -10,6 +10,8 @@ fn kind_index(w: f32) -> u32 {
   return min(u32(w), SPECIES - 1u);
 }
 fn kind(w: f32) -> f32x4 { return p.species[kind_index(w)]; }
+// Is it of air that is not there?
+fn is_dormant(w: f32) -> bool { return m.air == 1u && kind(w).y > 1.0f; }
 fn stiffness_of(w: f32) -> Stiffness {
   let states = p.states[kind_index(w)];
   let corrections = p.corrections[kind_index(w)];

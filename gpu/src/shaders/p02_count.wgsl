@@ -1,7 +1,12 @@
 // The cell that each particle comes to, and particles of each cell. Who gets which rank is a race; p06_order undoes it. The
-// counters were cleared before.
+// counters were cleared before. Air that is not there comes to the last cell, wherever it lies.
 fn pass_body(a: u32) {
   if a >= p.particle_count || atomicLoad(&head.status.failed) != 0u { return; }
+  if is_dormant(new_acceleration[a].w) {
+    cell[a] = p.cells.w - 1u;
+    rank[a] = atomicAdd(&head.counter[p.cells.w - 1u], 1u);
+    return;
+  }
   let x = new_density_pressure[a].xyz;
   let axis = axis_out_of_range(x);
   if axis < 3u {

@@ -1,6 +1,8 @@
 // Ascending id inside each cell: insertion sort, a thread a cell. With cell lists the members are in its places.
 fn pass_body(c: u32) {
   if c >= p.cells.w || head.status.failed != 0u { return; }
+  // nothing is ever summed over air that is not there
+  if m.air == 1u && c == p.cells.w - 1u { return; }
   let first = begin[c];
   var count = head.counter[c];
   if m.cell_places > 0u { count = min(count, m.cell_places); }
@@ -17,7 +19,7 @@ fn pass_body(c: u32) {
     order[j] = slot;
     new_id[j] = key;
   }
-  if m.springs == 1u {
+  if m.springs == 1u || m.air == 1u {
     for (var j = first; j < first + count; j += 1u) { slot_of[new_id[j]] = j; }
   }
 }

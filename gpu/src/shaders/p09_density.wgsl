@@ -8,6 +8,10 @@ fn pass_body(a: u32) {
   if a >= p.particle_count || head.status.failed != 0u { return; }
   let x_a = new_position[a];
   let v_a = new_velocity[a];
+  if is_dormant(v_a.w) {
+    new_density_pressure[a] = vec4(0.0f, 0.0f, 0.0f, p.rest_volume);
+    return;
+  }
   // a mirroring wall has no density, and nobody acts on it
   if m.wall_particles == MIRRORED && kind(v_a.w).y > 0.0f {
     new_density_pressure[a] = vec4(0.0f, 0.0f, 0.0f, volume_close(x_a.w, 0.0f));

@@ -3,6 +3,7 @@ fn predicted(a: u32) -> vec3<f32> { return predicted_velocity(new_velocity[a].xy
 
 fn pass_body(a: u32) {
   if a >= p.particle_count || atomicLoad(&head.status.failed) != 0u || atomicLoad(&head.status.settled) != 0u { return; }
+  if is_dormant(new_velocity[a].w) { return; }
   if m.wall_particles == MIRRORED && kind(new_velocity[a].w).y > 0.0f { return; }
   let x_a = new_position[a].xyz;
   let v_a = predicted(a);

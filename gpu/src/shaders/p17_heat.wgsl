@@ -4,6 +4,11 @@ fn at_step(a: u32) -> vec3<f32> { return velocity_at_step(new_velocity[a].xyz, n
 fn pass_body(i: u32) {
   if i >= p.particle_count || head.status.failed != 0u { return; }
   let a = local(i);
+  if is_dormant(new_velocity[i].w) {
+    // as fresh as whoever is made of it next
+    new_heat[i] = vec4(p.air_heat, 0.0f, 0.0f, 0.0f);
+    return;
+  }
   if a.wall > 0.0f { return; }
   let v_a = at_step(i);
   let own = cell_of(a.position);

@@ -61,9 +61,9 @@ pub(super) fn grid(dimension: Dimension, cells: u32) -> Grid {
     Grid { cells: [cells, cells, z], ..Grid::default() }
 }
 
-/// The particles of the fluid, those of walls left out, in order of their ids.
+/// The particles of the fluid, those of walls and air that is not there left out, in order of their ids.
 pub(super) fn fluid(solver: &Solver<'_>) -> Vec<Particle> {
-    solver.particles().filter(|particle| !particle.wall).collect()
+    solver.particles().filter(|particle| !particle.wall && !particle.dormant).collect()
 }
 
 /// Mean of a number over things, by one fixed tree; NaN of none.

@@ -3,6 +3,7 @@
 //! A study has a file of its own, with its settings and limits at the top; [`Outcome`] is what all of them hand back. What
 //! they share: `flow` (starting and stepping), `column` (a tank at rest), `drop` (a drop at rest), `strata` (two fluids at rest),
 //! `reference` (tables and series). Theory that takes a page stands by itself, in `ripple` and `swing`.
+mod air;
 mod channel;
 mod column;
 mod dam_break_front;
@@ -122,6 +123,11 @@ pub const STUDIES: &[Study] = &[
         name: "two-fluids",
         about: "a light fluid rests on a heavy one, up to a thousand times as heavy",
         run: two_fluids::run,
+    },
+    Study {
+        name: "air",
+        about: "a coat of air around a square drop, and what it does to the tension that a free surface has of itself",
+        run: air::run,
     },
     Study {
         name: "rayleigh-taylor",

@@ -12,5 +12,7 @@ fn pass_body(thread: u32) {
     atomicStore(&head.status.last_iterations, iterations);
     atomicAdd(&head.status.total_iterations, iterations);
     atomicStore(&head.status.settled, 0u);
+    atomicAdd(&head.status.air_refused, atomicExchange(&head.status.refused, 0u));
+    atomicStore(&head.status.air_alive, atomicLoad(&head.status.alive));
   }
 }

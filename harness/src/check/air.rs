@@ -1,0 +1,217 @@
+//! `air`: what a coat of air does to the tension that a free surface has of itself (S0 section 3.4.2; S0 test 1 in the plane). The
+//! outermost row of a liquid misses half of its neighbours, so its summed density is low, its pressure negative, and the drop is
+//! pulled together by an error. The thesis proposes to surround it by air whose particles it counts, with forms that see
+//! contrasts of density.
+//!
+//! A square drop at rest, without gravity and without tension. Limits are held against what is sure of soft air: the
+//! outermost row counts more of the neighbours that it should have, each bare particle gets its own, and the drop moves less. What
+//! else becomes of it is told as it came out, for other air too.
+use super::flow::{fluid, grid, larger, mean, rms_speed, start_with, step, steps_to};
+use super::outcome::table;
+use super::{Context, Figure, Outcome};
+use crate::failure::Failure;
+use crate::memory::Heap;
+use millpond_core::scene::{Air, Block, DensityForm, Dimension, Fluid, ModelChoice, PressureForce, Scene, places};
+use millpond_core::{AirReport, Particle, Solver};
+
+const NAME: &str = "air";
+
+/// Particles along an edge, and their distance, m.
+const EDGE: u16 = 20;
+const SPACING: f32 = 0.05;
+
+/// Of the water, kg/m3, m/s, Pa s.
+const WATER: f32 = 1000.0;
+const SOUND: f32 = 10.0;
+const VISCOSITY: f32 = 2.0;
+
+/// s: sound travels 0.1 supports in a step of the fastest air.
+const TIME_STEP: f32 = 0.0005;
+const END: f64 = 1.0;
+const QUICK_END: f64 = 0.5;
+const STEPS_PER_SAMPLE: u64 = 20;
+
+/// Steps after which the coat has been made and counted for once, and nothing has moved.
+const FIRST: u64 = 2;
+
+/// Rows from the surface whose particles are not the drop's inside.
+const MARGIN: usize = 5;
+
+/// Particles of air for each of the drop's outermost row.
+const ROOM: u32 = 4;
+
+/// Share of its density below which air goes: a lone row has 0.47 of it.
+const MINIMUM: f32 = 0.4;
+
+/// Air: times as light as the water, m/s, threshold; as viscous as the water.
+#[derive(Clone, Copy, Debug)]
+struct Coat {
+    ratio: f32,
+    sound: f32,
+    threshold: f32,
+}
+
+/// As hard to compress as the water, `rho c^2`, at the ratio 10; and a thousandth of that.
+const HARD: f32 = 31.623;
+const SOFT: f32 = 1.0;
+
+/// What is compared, the first two without air; the third has limits, against the second.
+const CASES: [(DensityForm, Option<Coat>); 8] = [
+    (DensityForm::Summation, None),
+    (DensityForm::SummationAdapted, None),
+    coated(10.0, SOFT, 1.2),
+    coated(10.0, SOFT, 1.0),
+    coated(10.0, SOFT, 0.5),
+    coated(1.0, SOFT, 1.2),
+    coated(100.0, SOFT, 1.2),
+    coated(10.0, HARD, 1.2),
+];
+
+const fn coated(ratio: f32, sound: f32, threshold: f32) -> (DensityForm, Option<Coat>) {
+    (DensityForm::SummationAdapted, Some(Coat { ratio, sound, threshold }))
+}
+
+/// What the table shows.
+const NOTE: &str = "With air the outermost row counts nearly all of the neighbours that it should have, and with soft air and \
+    a threshold of about 1 the drop is calmer. It is no remedy: the coat has a free surface too, with the same low density, and air \
+    goes on being made long after the first steps. With a threshold below that of a surface with one row of air, or with \
+    air as hard as the water, it is made until none is left.";
+
+/// What a run came to.
+#[derive(Clone, Copy, Debug)]
+struct Drop {
+    /// Mean density of the outermost row over that at rest, less 1, at the start.
+    row: f64,
+    /// Mean pressure inside, in the later half, Pa.
+    pressure: f64,
+    /// [`roundness`] at start and end.
+    roundness: [f64; 2],
+    /// Largest rms speed of the water, m/s.
+    speed: f64,
+    /// Air after the first steps.
+    first: AirReport,
+    /// Air at the end.
+    last: AirReport,
+}
+
+pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
+    let drops = CASES.map(|case| evolve(context, case));
+    let lines: Vec<_> = CASES.iter().zip(&drops).map(|(case, drop)| line(*case, drop.as_ref())).collect();
+    let [_, bare, coated, ..] = drops;
+    let (bare, coated) = (bare?, coated?);
+    let face = f64::from(4 * (EDGE - 1));
+    let figures = vec![
+        Figure::below("density of the outermost row off by, with air over without", (coated.row / bare.row).abs(), 1.0),
+        Figure::above(
+            "particles of air made at first, over those of the outermost row",
+            f64::from(coated.first.alive) / face,
+            1.0,
+        ),
+        Figure::below("largest rms speed, with air over without", coated.speed / bare.speed, 1.0),
+        Figure::below("births of air refused", coated.last.refused as f64, 0.0),
+    ];
+    let titles = [
+        "density",
+        "air: times as light, m/s, threshold",
+        "outermost row off by",
+        "pressure inside, Pa",
+        "diagonals over axes",
+        "largest rms speed, m/s",
+        "air first, last, refused",
+    ];
+    Ok(Outcome::new(NAME, figures, vec![table(titles, lines), NOTE.into()]))
+}
+
+fn line((density, coat): (DensityForm, Option<Coat>), drop: Result<&Drop, &Failure>) -> [String; 7] {
+    let air = coat.map_or("none".into(), |c| format!("{}, {:.0}, {}", c.ratio, c.sound, c.threshold));
+    let rest = match drop {
+        Ok(drop) => [
+            format!("{:.1} %", drop.row * 100.0),
+            format!("{:.0}", drop.pressure),
+            format!("{:.3} to {:.3}", drop.roundness[0], drop.roundness[1]),
+            format!("{:.3}", drop.speed),
+            format!("{}, {}, {}", drop.first.alive, drop.last.alive, drop.last.refused),
+        ],
+        Err(failure) => [failure.to_string(), String::new(), String::new(), String::new(), String::new()],
+    };
+    let [row, pressure, round, speed, air_count] = rest;
+    [density.name().into(), air, row, pressure, round, speed, air_count]
+}
+
+fn scene((density, coat): (DensityForm, Option<Coat>)) -> Scene {
+    let edge = f32::from(EDGE) * SPACING;
+    let water = Fluid { rest_density: WATER, speed_of_sound: SOUND, dynamic_viscosity: VISCOSITY, ..Fluid::default() };
+    let block = Block { corner: [-edge / 2.0, -edge / 2.0, 0.0], size: [edge; 3], ..Block::default() };
+    let mut scene = Scene::of(Dimension::Two, SPACING, TIME_STEP, water, block);
+    scene.model = ModelChoice { density, ..ModelChoice::multiphase() };
+    if density == DensityForm::Summation {
+        scene.model.pressure_force = PressureForce::Monaghan;
+    }
+    scene.model.calibrated_mass = true;
+    scene.grid = grid(Dimension::Two, 16);
+    if let Some(Coat { ratio, sound, threshold }) = coat {
+        let (rest_density, dynamic_viscosity) = (WATER / ratio, VISCOSITY);
+        let air = Fluid { rest_density, speed_of_sound: sound, dynamic_viscosity, ..Fluid::default() };
+        let _ = scene.other_fluids.push(air);
+        let capacity = ROOM * 4 * u32::from(EDGE);
+        scene.air = Some(Air { fluid: 1, capacity, threshold, minimum_density: MINIMUM });
+    }
+    scene
+}
+
+fn evolve(context: &Context, case: (DensityForm, Option<Coat>)) -> Result<Drop, Failure> {
+    let scene = scene(case);
+    let mut heap = Heap::of(&scene);
+    let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
+    let before = roundness(&water(&solver));
+    let title = format!("{NAME} {}", case.0.name());
+    step(&title, context, &mut solver, FIRST, FIRST, |_| ())?;
+    let off = |p: &Particle| f64::from(p.density) / f64::from(WATER) - 1.0;
+    let row = mean(&part(&solver, 0, 1), off);
+    let first = solver.air();
+    let end = if context.quick { QUICK_END } else { END };
+    let (mut speed, mut pressures) = (0.0, Vec::new());
+    step(&title, context, &mut solver, steps_to(&scene, end) - FIRST, STEPS_PER_SAMPLE, |solver| {
+        speed = larger(speed, rms_speed(solver));
+        if solver.time() > end / 2.0 {
+            pressures.push(mean(&part(solver, MARGIN, usize::from(EDGE)), |p| f64::from(p.pressure)));
+        }
+    })?;
+    Ok(Drop {
+        row,
+        pressure: mean(&pressures, |pressure| *pressure),
+        roundness: [before, roundness(&water(&solver))],
+        speed,
+        first,
+        last: solver.air(),
+    })
+}
+
+/// The drop's particles, in the order of the lattice.
+fn water(solver: &Solver<'_>) -> Vec<Particle> {
+    fluid(solver).into_iter().filter(|particle| particle.fluid == 0).collect()
+}
+
+/// Those of them that were `from .. to` rows from the nearest side of the square at the start.
+fn part(solver: &Solver<'_>, from: usize, to: usize) -> Vec<Particle> {
+    let edge = usize::from(EDGE);
+    let depth = |id: usize| [id % edge, id / edge].map(|i| i.min(edge - 1 - i)).into_iter().min().unwrap_or(0);
+    water(solver).into_iter().filter(|p| (from..to).contains(&depth(p.id as usize))).collect()
+}
+
+/// How far the particles reach from their centre along the diagonals of a square, over how far along its axes: 1.41 of a square, 1
+/// of a circle.
+fn roundness(particles: &[Particle]) -> f64 {
+    let of = |axis: usize| mean(particles, |particle| f64::from(particle.position[axis]));
+    let centre = [of(0), of(1)];
+    let reach = |turn: f64| {
+        let (y, x) = turn.sin_cos();
+        let along =
+            |p: &Particle| x * (f64::from(p.position[0]) - centre[0]) + y * (f64::from(p.position[1]) - centre[1]);
+        particles.iter().map(along).fold(0.0, f64::max)
+    };
+    let quarter = std::f64::consts::FRAC_PI_2;
+    let [axes, diagonals] =
+        [0.0, 0.5].map(|first| (0..4).map(|i| reach((f64::from(i) + first) * quarter)).sum::<f64>());
+    diagonals / axes
+}

@@ -1,0 +1,251 @@
+//! Promise: a coat of air is made around what is bare, no two of its particles too near each other, and goes where it has lost
+//! the liquid; births for which none is left are counted. All this has the same bits on the scalar path, in lanes, on two
+//! threads, with every term left in, and on a device in strict mode. A scene without air has no bytes for it.
+use millpond::fluid::Snapshot;
+use millpond::memory::Heap;
+use millpond::pool::Pool;
+use millpond_core::scene::{
+    Air, Block, Container, Dimension, Fluid, Grid, ModelChoice, Periodic, Place, Scene, SurfaceTension, Wall,
+    WallShape, places,
+};
+use millpond_core::{AirReport, Needs, Particle, Plan, SceneError, Serial, Simd, Solver};
+use millpond_gpu::{Gpu, GpuSolver, Mode};
+
+mod support;
+use support::device;
+
+const SPACING: f32 = 0.05;
+
+/// Water that spins, six particles an edge, in a space that is wide enough; air a tenth as heavy and as hard to compress.
+fn drop(dimension: Dimension, capacity: u32) -> Scene {
+    let water = Fluid { dynamic_viscosity: 1.0, ..Fluid::default() };
+    let air = Fluid { rest_density: 100.0, speed_of_sound: 31.0, dynamic_viscosity: 0.1, ..Fluid::default() };
+    let block = Block { corner: [0.3; 3], size: [0.3; 3], velocity: [1.0, 0.5, 0.0], ..Block::default() };
+    let mut scene = Scene::of(dimension, SPACING, 0.0002, water, block);
+    let _ = scene.other_fluids.push(air);
+    scene.model = ModelChoice::multiphase();
+    scene.grid = Grid { cells: [7, 7, 5], ..Grid::default() };
+    scene.air = Some(Air { fluid: 1, capacity, threshold: 0.5, minimum_density: 0.5 });
+    scene
+}
+
+fn both() -> [Scene; 2] {
+    [drop(Dimension::Two, 300), drop(Dimension::Three, 1500)]
+}
+
+/// The particles of the coat that are there.
+fn coat(solver: &Solver<'_>) -> Vec<Particle> {
+    solver.particles().filter(|particle| particle.fluid == 1 && !particle.dormant && !particle.wall).collect()
+}
+
+#[test]
+fn a_bare_drop_is_coated_and_stays_so() {
+    for scene in both() {
+        let mut heap = Heap::of(&scene);
+        let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
+        assert_eq!(solver.air(), AirReport { alive: 0, refused: 0 }, "none at the start, when time stands still");
+        solver.step(&Serial).expect("a step");
+        // the first step sees one place a face particle, and fewer where faces meet
+        let face = if scene.dimension == Dimension::Two { 4 * 6 } else { 6 * 36 };
+        let first = solver.air();
+        println!("{:?}: {first:?}", scene.dimension);
+        assert!((face / 2..=face + 24).contains(&(first.alive as usize)), "{first:?} of {face}");
+        let mut before: Vec<Particle> = solver.particles().collect();
+        for _ in 0..100 {
+            solver.step(&Serial).expect("a step");
+            let now: Vec<Particle> = solver.particles().collect();
+            let there: Vec<&Particle> = now.iter().filter(|particle| !particle.dormant).collect();
+            for born in there.iter().filter(|a| before[a.id as usize].dormant) {
+                let others = there.iter().filter(|b| b.id != born.id);
+                let nearest = others.map(|b| b.position.distance(born.position)).fold(f32::INFINITY, f32::min);
+                assert!(nearest > 0.749 * SPACING, "made in the way of others: {} spacings", nearest / SPACING);
+                let water = now[..scene.fluid_count()].iter();
+                let parent = water.map(|b| (b.position.distance(born.position) / SPACING - 1.0).abs());
+                assert!(parent.fold(f32::INFINITY, f32::min) < 1e-3, "made a spacing from its parent");
+            }
+            before = now;
+        }
+        let air = coat(&solver);
+        println!("{:?}: {:?}", scene.dimension, solver.air());
+        assert_eq!(air.len(), solver.air().alive as usize);
+        assert_eq!(solver.air().refused, 0, "there was room for all");
+        assert!(air.len() >= first.alive as usize / 2, "{} are left", air.len());
+        assert_eq!(solver.particles().len(), scene.particle_count());
+    }
+}
+
+#[test]
+fn air_without_liquid_vanishes() {
+    for scene in both() {
+        let (count, water) = (scene.particle_count(), scene.fluid_count());
+        let mut all: Vec<Place> = places(&scene).collect();
+        let lost = water + 7;
+        all[lost] =
+            Place::of_fluid(1, if scene.dimension == Dimension::Two { [1.9, 1.9, 0.0] } else { [1.9; 3] }, [0.0; 3]);
+        let mut heap = Heap::of(&scene);
+        let plan = Plan::of(&scene);
+        let mut solver = Solver::with_particles(&scene, plan, count, all.clone(), heap.lend()).expect("a scene");
+        assert_eq!(solver.air().alive, 1);
+        solver.step(&Serial).expect("a step");
+        assert!(solver.particles().nth(lost).is_some_and(|particle| particle.dormant), "it is gone");
+        // its number is free again from the next step on: everybody else comes before it only where they were not there
+        let ids: Vec<u32> = coat(&solver).iter().map(|particle| particle.id).collect();
+        assert!(ids.iter().all(|&id| id as usize != lost) && ids.contains(&(lost as u32 + 1)));
+
+        // the coat's numbers are the coat's
+        all[lost].species = 0;
+        let refused = Solver::with_particles(&scene, plan, count, all, heap.lend()).err();
+        assert_eq!(refused, Some(SceneError::UnplannedParticle { particle: lost as u32 }));
+    }
+}
+
+#[test]
+fn births_that_find_nobody_are_counted() {
+    let gpu = device("air_keeps_its_bits", Mode::Strict);
+    for capacity in [1, 5] {
+        let scene = drop(Dimension::Two, capacity);
+        let mut heap = Heap::of(&scene);
+        let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
+        let mut on_device = gpu.as_ref().map(|gpu| GpuSolver::new(gpu, &solver).expect("a device that takes it"));
+        let mut before = 0;
+        for _ in 0..5 {
+            solver.step(&Serial).expect("a step");
+            let AirReport { alive, refused } = solver.air();
+            assert!(alive <= capacity && refused >= before + 10, "each step asks again: {alive}, {refused}");
+            before = refused;
+            if let Some(on_device) = &mut on_device {
+                on_device.step(1).expect("a step");
+                assert_eq!(on_device.air().expect("a report"), solver.air());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_scene_without_air_has_no_bytes_for_it() {
+    let mut scene = drop(Dimension::Two, 100);
+    let with = Needs::of(&scene);
+    scene.air = None;
+    let without = Needs::of(&scene);
+    let bytes = |needs: &Needs, name: &str| needs.arrays().iter().find(|(n, _)| *n == name).map(|(_, bytes)| *bytes);
+    for name in ["bare", "birth", "slot_of"] {
+        assert_eq!(bytes(&without, name), Some(0), "{name}");
+        assert!(bytes(&with, name) > Some(0), "{name}");
+    }
+    assert_eq!((with.cells, with.particles), (without.cells + 1, without.particles + 100));
+    let plan = Plan::of(&scene);
+    assert!(plan.passes().all(|pass| !["p11_normals", "p19_coat", "p21_air"].contains(&pass.name())));
+    assert!(plan.left_out().iter().any(|left_out| left_out.what == "air"));
+}
+
+/// Scenes that ask everything of it: a surface tension, walls of both sorts, a domain that wraps around, springs, corrected
+/// pressure, and a capacity that is too small.
+fn scenes(base: &Scene) -> Vec<(&'static str, Scene)> {
+    let changed = |change: &dyn Fn(&mut Scene)| {
+        let mut scene = base.clone();
+        change(&mut scene);
+        scene
+    };
+    let capacity = base.air_capacity() as u32;
+    vec![
+        ("a drop", changed(&|_| ())),
+        ("too little air", changed(&|s| s.air = s.air.map(|air| Air { capacity: capacity / 30, ..air }))),
+        ("air that vanishes", changed(&|s| s.air = s.air.map(|air| Air { minimum_density: 0.85, ..air }))),
+        (
+            "tension",
+            changed(&|s| {
+                s.model.surface_tension = SurfaceTension::NormalCurvature;
+                s.fluid.surface_tension = 1.0;
+            }),
+        ),
+        (
+            "a floor of planes",
+            changed(&|s| {
+                s.gravity = [0.0, -9.81, 0.0];
+                s.container = Some(Container::closed([0.28, 0.29, 0.28], [0.9, 0.9, 0.9]));
+            }),
+        ),
+        (
+            "a tank of particles",
+            changed(&|s| {
+                s.gravity = [0.0, -9.81, 0.0];
+                let open = [millpond_core::scene::Face::Ceiling].into_iter().collect();
+                let shape = WallShape::Box { low: [0.3; 3], high: [0.7; 3], open };
+                s.walls = [Wall::still(shape)].into_iter().collect();
+            }),
+        ),
+        (
+            "a domain that wraps around",
+            changed(&|s| {
+                s.periodic = Some(Periodic { low: [0.28; 3], high: [0.88; 3], axes: [true, true, false] });
+            }),
+        ),
+        (
+            "heat, XSPH and springs",
+            changed(&|s| {
+                s.model.thermal_energy = true;
+                (s.fluid.xsph, s.fluid.elastic_stiffness) = (0.3, 100.0);
+                s.other_fluids[0].thermal_energy = 3.0;
+            }),
+        ),
+        (
+            "corrected pressure",
+            changed(&|s| {
+                s.model.equation_of_state = millpond_core::scene::EquationOfState::PressureCorrection;
+                s.model.variable_support = Some(millpond_core::scene::SupportRange { smallest: 0.8, largest: 1.2 });
+                s.model.suction = false;
+            }),
+        ),
+    ]
+}
+
+const STEPS: u32 = 60;
+
+fn by_cpu(scene: &Scene, simd: Simd, threads: usize) -> (Snapshot, AirReport) {
+    let mut heap = Heap::of(scene);
+    let mut solver = Solver::new(scene, heap.lend()).expect("a scene").at_level(simd);
+    let pool = Pool::new(threads).expect("threads");
+    (0..STEPS).for_each(|_| solver.step(&pool).expect("a step"));
+    (Snapshot::of_cpu(&solver), solver.air())
+}
+
+fn by_everything(scene: &Scene) -> u64 {
+    let plan = Plan::everything(scene);
+    let mut heap = Heap::with(Needs::by_plan(scene, &plan));
+    let (count, places) = (scene.particle_count(), places(scene));
+    let mut solver = Solver::with_particles(scene, plan, count, places, heap.lend()).expect("a scene");
+    (0..STEPS).for_each(|_| solver.step(&Serial).expect("a step"));
+    solver.hash()
+}
+
+fn by_gpu(scene: &Scene, gpu: &Gpu) -> (Snapshot, AirReport) {
+    let mut heap = Heap::of(scene);
+    let solver = Solver::new(scene, heap.lend()).expect("a scene");
+    let mut fluid = GpuSolver::new(gpu, &solver).expect("a device that takes it");
+    fluid.step(STEPS).expect("steps on the device");
+    (Snapshot::of_gpu(&fluid).expect("a state"), fluid.air().expect("a report"))
+}
+
+#[test]
+fn the_same_bits_everywhere() {
+    let gpu = device("air_keeps_its_bits", Mode::Strict);
+    for base in both() {
+        let mut with_air = 0;
+        for (name, scene) in scenes(&base) {
+            let what = format!("{name}, {:?}", scene.dimension);
+            let want = by_cpu(&scene, Simd::Scalar, 1);
+            println!("{what}: {:?}", want.1);
+            with_air += usize::from(want.1.alive > 0);
+            assert_eq!(by_cpu(&scene, Simd::detect(), 2), want, "{what}: lanes on two threads");
+            assert_eq!(by_cpu(&scene, Simd::Base, 3), want, "{what}: base lanes on three threads");
+            assert_eq!(by_everything(&scene), want.0.hash(), "{what}: with every term left in");
+            if let Some(gpu) = &gpu {
+                let got = by_gpu(&scene, gpu);
+                assert_eq!(got.1, want.1, "{what}: on the device");
+                assert!(got.0 == want.0, "{what}: on the device");
+            }
+        }
+        // of that which vanishes none may be there just now
+        assert!(with_air + 1 >= scenes(&base).len(), "no air tests nothing");
+    }
+}
