@@ -268,7 +268,7 @@ impl<'m> Solver<'m> {
         // time that stands still has no next density to aim at
         let iterations = if parameters.time_step > 0.0 { self.plan.iterations() } else { 0 };
         let attempt = (self.steps as u32, iterations);
-        let settled = step::run(setup, executor, begins, attempt, old, new, springs, scratch)?;
+        let settled = step::run(setup, executor, begins, attempt, old, new, (scratch, springs))?;
         for (slot, &id) in new.id.iter().enumerate() {
             slots[id as usize] = slot as u32;
         }

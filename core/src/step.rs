@@ -114,13 +114,11 @@ pub(crate) fn run(
     (steps, iterations): (u32, u32),
     old: &State<'_>,
     new: &mut State<'_>,
-    springs: SpringEnds<'_>,
-    scratch: &mut Scratch<'_>,
+    (s, springs): (&mut Scratch<'_>, SpringEnds<'_>),
 ) -> Result<Settled, StepError> {
     let (m, p) = (setup.model, setup.parameters);
     let places = m.cell_places;
     let fine = Status::fine(steps);
-    let s = scratch;
 
     arrange(setup, executor, begins, &fine, old, new, s)?;
     let sorted = Cells { begin: s.begin, counter: s.counter };

@@ -23,7 +23,7 @@ pub(crate) struct Sprung<'a> {
 
 impl Sprung<'_> {
     /// Way from the other end of a spring to this particle.
-    fn from_other(&self, setup: &Setup<'_>, x_a: f32x4, other: u32) -> vec3<f32> {
+    fn separation_from(&self, setup: &Setup<'_>, x_a: f32x4, other: u32) -> vec3<f32> {
         let x_b = self.position[self.slot_of[other as usize] as usize];
         separation(setup.model, setup.parameters, vec3::splat(x_a), vec3::splat(x_b))
     }
@@ -39,7 +39,7 @@ impl Sprung<'_> {
         let pull = f32::from_bits(self.of[id as usize][2]);
         let mut sum = vec3(0.0, 0.0, 0.0);
         for &[other, length] in &self.ends[self.ends(id)] {
-            sum = sum + spring_pull(self.from_other(setup, x_a, other), f32::from_bits(length), pull);
+            sum = sum + spring_pull(self.separation_from(setup, x_a, other), f32::from_bits(length), pull);
         }
         sum
     }
@@ -77,7 +77,7 @@ pub(crate) fn give_way(setup: Setup<'_>, executor: &impl Executor, sprung: Sprun
             let x_a = sprung.position[sprung.slot_of[id] as usize];
             for end in sprung.ends(id as u32) {
                 let [other, length] = sprung.ends[end];
-                let x_ab = sprung.from_other(&setup, x_a, other);
+                let x_ab = sprung.separation_from(&setup, x_a, other);
                 let given = spring_given_way(setup.parameters, x_ab, f32::from_bits(length));
                 own[end - *first_end] = [other, given.to_bits()];
             }

@@ -71,18 +71,18 @@ const NORMAL_CURVATURE: Setting = Setting {
 };
 
 /// Attraction takes about 0.3 times its coefficient, in pascals at 1 kg/m3, from the pressure of what it holds together: the
-/// pressure at large must be the larger one.
+/// pressure at large must be the larger one. And a lattice under that pressure bears shear, as a surface does: little enough
+/// with these neighbours (`millpond check kernels` has the table).
 const ATTRACTION: Setting = Setting {
     coefficient: 60.0,
-    // a lattice under pressure bears shear, as a surface does: by these least (`millpond check kernels` has the table)
-    kernel: (Kernel::WendlandC4, 64.0),
+    kernel: (Kernel::WendlandC4, 55.0),
     speed_of_sound: 22.4,
-    looser: 1.03,
+    looser: 1.045,
     calming: (0.05, 1.0),
 };
 
 /// The same, with about half of the coefficient.
-const GRADIENT_SUM: Setting = Setting { looser: 1.035, ..ATTRACTION };
+const GRADIENT_SUM: Setting = Setting { kernel: (Kernel::WendlandC4, 57.0), looser: 1.05, ..ATTRACTION };
 
 /// What is around a drop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

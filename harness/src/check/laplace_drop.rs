@@ -30,7 +30,7 @@ struct Jump {
     /// Radius of a disc of its volume, m.
     radius: f64,
     /// Pa.
-    jump: f64,
+    pressure: f64,
     /// Its miss of `sigma / R`, over that.
     off: f64,
     /// Capillary numbers of the root of the mean square speed, and of the largest one.
@@ -62,9 +62,9 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
 
 fn line(drop: &Droplet, jump: &Result<Jump, Failure>) -> [String; 8] {
     let [radius, pascals, off, rms, fastest] = match jump {
-        Ok(Jump { radius, jump, off, currents: [rms, fastest] }) => [
+        Ok(Jump { radius, pressure, off, currents: [rms, fastest] }) => [
             format!("{radius:.4}"),
-            format!("{jump:.3}"),
+            format!("{pressure:.3}"),
             format!("{:+.1} %", off * 100.0),
             format!("{rms:.1e}"),
             format!("{fastest:.1e}"),
@@ -80,5 +80,5 @@ fn measure(context: &Context, drop: &Droplet) -> Result<Jump, Failure> {
     let sigma = f64::from(SIGMA);
     let calm = drop.calm(context, NAME)?;
     let off = calm.jump * calm.radius / sigma - 1.0;
-    Ok(Jump { radius: calm.radius, jump: calm.jump, off, currents: calm.currents.map(|current| current / sigma) })
+    Ok(Jump { radius: calm.radius, pressure: calm.jump, off, currents: calm.currents.map(|current| current / sigma) })
 }

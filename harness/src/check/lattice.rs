@@ -132,7 +132,7 @@ fn shear(kernel: Kernel, d: usize, neighbours: f64) -> f64 {
         _ => (neighbours * 3.0 / (4.0 * PI)).cbrt(),
     };
     let sum = |stretch: f64| stretched_sum(kernel, d, support, stretch);
-    let even = (sum(1.0 + STRAIN) + sum(1.0 / (1.0 + STRAIN))) / 2.0;
+    let even = f64::midpoint(sum(1.0 + STRAIN), sum(1.0 / (1.0 + STRAIN)));
     (even / sum(1.0) - 1.0) / (STRAIN * STRAIN)
 }
 

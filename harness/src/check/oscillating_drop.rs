@@ -34,7 +34,7 @@ const COARSE: u16 = 10;
 const FINE: u16 = 20;
 
 /// Those at which a tension is measured, all with one spacing; the last one's period is looked at.
-const RADII: [u16; 3] = [10, 12, 15];
+const RADII: [u16; 3] = [10, 15, 20];
 const QUICK_RADII: [u16; 3] = [8, 10, 12];
 
 /// Kinematic viscosity while it swings, m2/s: an amplitude of the free drop falls by a tenth in a period.

@@ -37,7 +37,7 @@ impl Mode {
     pub(super) fn growing(nu: f64) -> Mode {
         let (mut slow, mut fast) = (0.001 * formula(0.0), 1.001 * formula(0.0));
         for _ in 0..60 {
-            let rate = (slow + fast) / 2.0;
+            let rate = f64::midpoint(slow, fast);
             if Mode::of_rate(rate, nu).stress(nu) > 0.0 {
                 slow = rate;
             } else {

@@ -89,7 +89,7 @@ fn inverse([a, b]: [f64; 2]) -> [f64; 2] {
 /// The root of a complex number, the one that is not to the left.
 fn root([a, b]: [f64; 2]) -> [f64; 2] {
     let length = a.hypot(b);
-    [((length + a) / 2.0).max(0.0).sqrt(), ((length - a) / 2.0).max(0.0).sqrt().copysign(b)]
+    [f64::midpoint(length, a).max(0.0).sqrt(), f64::midpoint(length, -a).max(0.0).sqrt().copysign(b)]
 }
 
 /// The damped swing about some mean that fits samples of time and value best, near a frequency, and what share of their
