@@ -120,10 +120,10 @@ pub(crate) fn states(scene: &Scene) -> Kinds {
 
 /// What corrects pressure, and surface tension.
 pub(crate) fn corrections(scene: &Scene) -> Kinds {
-    // sums over the lattice are only for who needs them
+    // sums over the lattice are only for who needs them; 1 is a number that nobody uses
     let corrects = scene.model.equation_of_state == EquationOfState::PressureCorrection;
     rows(scene, |fluid| {
-        let stiffness = if corrects { correction_stiffness(scene, fluid) } else { bulk(fluid) };
+        let stiffness = if corrects { correction_stiffness(scene, fluid) } else { 1.0 };
         let compressibility = (1.0 / bulk(fluid)) as f32;
         [stiffness as f32, (1.0 / stiffness) as f32, compressibility, fluid.surface_tension]
     })
