@@ -1,7 +1,9 @@
 //! The springs of elastic fluids: made once, at the start (S0 section 2.2.6), and looked at from outside.
 use crate::error::SceneError;
 use crate::guided::particle_mass;
-use crate::layout::f32x4;
+use crate::hash::tree_sum;
+use crate::layout::{Parameters, f32x4, u32x2, u32x4};
+use crate::plan::Plan;
 use crate::scene::Scene;
 use crate::solver::Solver;
 use crate::terms::pair::separation;
@@ -88,19 +90,41 @@ impl Solver<'_> {
         })
     }
 
-    /// Energy of the springs, J (per metre of depth in 2D): each is as stiff as half of `k`, so `k / 4 (r - L0)^2`.
+    /// Energy of the springs, J (per metre of depth in 2D).
     pub(crate) fn elastic_energy(&self) -> f64 {
-        let (m, p, state) = (&self.plan().model, self.parameters(), self.state());
-        let energy = |spring: Spring| {
-            let [a, b] = [spring.a, spring.b].map(|id| self.slots()[id as usize] as usize);
-            let x_ab = separation(m, p, vec3::<f32>::splat(state.position[a]), vec3::splat(state.position[b]));
-            let strain = libm::sqrt(f64::from(length2(x_ab))) - f64::from(spring.rest_length);
-            let [_, _, rest, _] = self.kind(a);
-            let mass = f64::from(p.particle_mass) * f64::from(rest) * f64::from(state.position[a][3]);
-            // what each end pulls with, as a force
-            let half_stiffness = f64::from(f32::from_bits(self.springs_of()[spring.a as usize][2])) * mass;
+        let state = self.state();
+        let slot = |id: u32| self.slots()[id as usize] as usize;
+        let position = |id: u32| state.position[slot(id)];
+        energy(self.plan(), self.parameters(), (self.springs_of(), self.spring_ends()), |id| {
+            (position(id), self.kind(slot(id))[2])
+        })
+    }
+}
+
+/// Energy of springs, J (per metre of depth in 2D), where `particle` has the position of each particle by id, its mass in w, and the
+/// rest density of its fluid over the first one's. A spring is as stiff as half of `k`: `k / 4 (r - L0)^2` (S0 eq. 2.26 per errata).
+pub fn energy(
+    plan: &Plan,
+    p: &Parameters,
+    (of, ends): (&[u32x4], &[u32x2]),
+    particle: impl Fn(u32) -> (f32x4, f32),
+) -> f64 {
+    let spring = |a: u32, [first, count, pull, _]: u32x4| {
+        let (x_a, rest) = particle(a);
+        // what an end pulls with for each metre, as a force
+        let mass = f64::from(p.particle_mass) * f64::from(rest) * f64::from(x_a[3]);
+        let half_stiffness = f64::from(f32::from_bits(pull)) * mass;
+        let own = ends.get(first as usize..(first + count) as usize).unwrap_or_default();
+        let energy = |&[b, length]: &u32x2| {
+            let rest_length = f32::from_bits(length);
+            if a > b || rest_length < 0.0 {
+                return 0.0;
+            }
+            let x_ab = separation(&plan.model, p, vec3::<f32>::splat(x_a), vec3::splat(particle(b).0));
+            let strain = libm::sqrt(f64::from(length2(x_ab))) - f64::from(rest_length);
             0.5 * half_stiffness * strain * strain
         };
-        self.springs().map(energy).sum()
-    }
+        own.iter().map(energy).sum::<f64>()
+    };
+    tree_sum(of.len(), &|a| spring(a as u32, of[a]))
 }

@@ -5,9 +5,10 @@ use crate::memory::Heap;
 use crate::pool::Pool;
 use crate::scenes::Named;
 use millpond_core::hash::state_hash;
-use millpond_core::layout::{f32x4, u32x2};
+use millpond_core::layout::{Parameters, f32x4, u32x2, u32x4};
 use millpond_core::scene::{Place, Scene};
-use millpond_core::{AirReport, CorrectionReport, Solver};
+use millpond_core::springs::energy;
+use millpond_core::{AirReport, CorrectionReport, Plan, Solver};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 
 /// Set to `1`, it turns a missing GPU into a failure, so that no comparison is skipped unseen.
@@ -29,7 +30,17 @@ pub enum Fluid<'a> {
         solver: Box<GpuSolver>,
         /// Name of the device.
         device: String,
+        /// What it needs to know of springs to say what is in them.
+        springs: Box<Springs>,
     },
+}
+
+/// What does not change of springs, and of the scene that they are in.
+#[derive(Clone, Debug)]
+pub struct Springs {
+    plan: Plan,
+    parameters: Parameters,
+    of: Vec<u32x4>,
 }
 
 /// A state, by particle id.
@@ -134,7 +145,9 @@ impl<'a> Fluid<'a> {
             BackendName::Cpu => Fluid::Cpu { solver: Box::new(solver), pool },
             BackendName::Gpu => {
                 let gpu = Gpu::open(None, Mode::Strict)?;
-                Fluid::Gpu { solver: Box::new(GpuSolver::new(&gpu, &solver)?), device: gpu.name() }
+                let (plan, parameters) = (*solver.plan(), *solver.parameters());
+                let springs = Box::new(Springs { plan, parameters, of: solver.springs_of().to_vec() });
+                Fluid::Gpu { solver: Box::new(GpuSolver::new(&gpu, &solver)?), device: gpu.name(), springs }
             }
         })
     }
@@ -180,6 +193,22 @@ impl<'a> Fluid<'a> {
         match self {
             Fluid::Cpu { solver, .. } => Ok(solver.air()),
             Fluid::Gpu { solver, .. } => Ok(solver.air()?),
+        }
+    }
+
+    /// Energy in its springs, J (per metre of depth in 2D), its state now being this one.
+    #[must_use]
+    pub fn elastic_energy(&self, state: &Snapshot) -> f64 {
+        match self {
+            Fluid::Cpu { solver, .. } => solver.energies().elastic,
+            Fluid::Gpu { springs, .. } => {
+                let rest = |id: u32| {
+                    let kind = state.velocity[id as usize][3] as usize;
+                    springs.parameters.species.get(kind).map_or(1.0, |species| species[2])
+                };
+                let particle = |id: u32| (state.position[id as usize], rest(id));
+                energy(&springs.plan, &springs.parameters, (&springs.of, &state.spring_ends), particle)
+            }
         }
     }
 

@@ -25,5 +25,6 @@ pub mod run;
 pub mod scenes;
 pub mod showcase;
 pub mod timing;
+pub mod warnings;
 
 pub use failure::Failure;

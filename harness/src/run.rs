@@ -9,9 +9,10 @@ use crate::output::{deliver, make_folder, progress};
 use crate::pool::Pool;
 use crate::scenes::{Named, load};
 use crate::timing::{Milliseconds, timed};
-use millpond_core::guided::{particle_mass, support_radius};
-use millpond_core::kernel::slope;
-use millpond_core::scene::{Dimension, EquationOfState, Kernel, NearPressure, Scene};
+use crate::warnings::warnings;
+use millpond_core::guided::particle_mass;
+use millpond_core::layout::f32x4;
+use millpond_core::scene::{EquationOfState, Kind, Scene, kind_of};
 use millpond_core::{AirReport, CorrectionReport};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -77,6 +78,8 @@ pub struct Energy {
     pub internal: Option<FirstLast>,
     /// In the field of gravity.
     pub potential: FirstLast,
+    /// In springs; absent where the scene has none.
+    pub elastic: Option<FirstLast>,
 }
 
 /// What iterating pressure came to.
@@ -98,10 +101,6 @@ pub struct Air {
     /// Births for which none was left, in all steps.
     pub refused: u64,
 }
-
-/// Largest share of its support that sound and the fastest particle together may cross in a step: past it explicit
-/// integration loses pairs it should have felt (Monaghan 1992).
-const COURANT_LIMIT: f64 = 0.4;
 
 /// Steps that a GPU makes between two looks at its status, and time is taken.
 const STEPS_AT_ONCE: u64 = 16;
@@ -137,6 +136,7 @@ pub fn run(
     let mut fluid = Fluid::start(named, backend, &mut heap, pool)?;
     let first = fluid.snapshot()?;
     let first_census = census(scene, &first)?;
+    let first_elastic = fluid.elastic_energy(&first);
     let mut film = Film::none();
     if let Some((folder, count)) = pictures {
         make_folder(folder)?;
@@ -181,35 +181,8 @@ pub fn run(
     };
     let last_census = census(scene, &last)?;
     let neighbours = FirstLast { first: first_census.average_neighbours, last: last_census.average_neighbours };
-    let sound = f64::from(scene.fluid.speed_of_sound);
-    // sound that is iterated for does not limit the step
-    let sound = if pressure_correction.is_some() { 0.0 } else { sound };
-    let courant = (sound + last_census.fastest) * f64::from(scene.time_step) / support_radius(scene);
-    let mut warnings = Vec::new();
-    if courant > COURANT_LIMIT {
-        warnings.push(format!(
-            "Courant number {courant:.2} is larger than {COURANT_LIMIT}: a smaller time_step or speed_of_sound is safer"
-        ));
-    }
-    if scene.model.near_pressure != NearPressure::Off && !scene.model.suction {
-        warnings
-            .push("near pressure without suction has nothing to balance it: this liquid will expand like a gas".into());
-    }
-    if scene.field.is_some() {
-        warnings.push(
-            "the scene's field is its host's to fill, and this program fills none: it acts as if it were 0".into(),
-        );
-    }
-    if air.is_some_and(|air| air.refused > 0) {
-        warnings.push("a bare surface found no air left to be made: a larger air.capacity covers all of it".into());
-    }
-    warnings.extend(pairing_warnings(scene));
-    if last_census.density_error.mean > 0.03 {
-        let percent = last_census.density_error.mean * 100.0;
-        warnings.push(format!(
-            "the fluid is compressed by {percent:.1} % on average: a larger speed_of_sound holds better"
-        ));
-    }
+    let refused = air.map_or(0, |air: Air| air.refused);
+    let warnings = warnings(scene, last_census.fastest, last_census.density_error.mean, refused);
     Ok(Outcome {
         scene: named.name.clone(),
         backend: fluid.backend(),
@@ -228,6 +201,10 @@ pub fn run(
                 .thermal_energy
                 .then_some(FirstLast { first: thermal_energy(scene, &first), last: thermal_energy(scene, &last) }),
             potential: FirstLast { first: first_census.energies.potential, last: last_census.energies.potential },
+            elastic: scene
+                .fluids()
+                .any(|fluid| fluid.elastic_stiffness > 0.0)
+                .then(|| FirstLast { first: first_elastic, last: fluid.elastic_energy(&last) }),
         },
         pressure_correction,
         air,
@@ -257,6 +234,9 @@ pub fn report(named: &Named, outcome: &Outcome) -> String {
         row("thermal energy", format!("{:.4e} J first, {:.4e} J last", internal.first, internal.last));
     }
     row("potential energy", format!("{:.4e} J first, {:.4e} J last", energy.potential.first, energy.potential.last));
+    if let Some(elastic) = energy.elastic {
+        row("elastic energy", format!("{:.4e} J first, {:.4e} J last", elastic.first, elastic.last));
+    }
     if let Some(p) = o.pressure_correction {
         let (mean, last, left) = (p.mean_iterations, p.last_iterations, p.residual * 100.0);
         row("iterations of pressure", format!("{mean:.1} a step, {last} in the last, which leaves {left:.2} %"));
@@ -276,39 +256,11 @@ pub fn report(named: &Named, outcome: &Outcome) -> String {
 
 /// Thermal energy of a state, J.
 fn thermal_energy(scene: &Scene, state: &Snapshot) -> f64 {
-    let mass = particle_mass(scene);
-    let fluid = state.heat.iter().zip(&state.position).take(scene.fluid_count());
-    fluid.map(|(heat, x)| mass * f64::from(x[3]) * f64::from(heat[0])).sum()
-}
-
-/// Neighbours, itself counted, from which on a kernel lets particles pair; none where it never does.
-///
-/// The cubic spline does from about 55 on in space (Dehnen and Aly 2012), 27 in the plane. What decides is how far out its
-/// slope is steepest: two particles nearer than that push each other less the nearer they come. Other kernels are held
-/// against it by that distance. Wendland's, whose Fourier transforms are positive, and those with an edge never pair.
-fn most_neighbours(kernel: Kernel, dimension: Dimension) -> Option<f64> {
-    if kernel.is_cusped() || matches!(kernel, Kernel::WendlandC2 | Kernel::WendlandC4) {
-        return None;
-    }
-    let d = dimension.count();
-    let steepest = |kernel: Kernel| {
-        let places = (1..1000).map(|i| f64::from(i) / 1000.0);
-        places.max_by(|a, b| slope(kernel, d, *a).total_cmp(&slope(kernel, d, *b))).unwrap_or(1.0)
+    let mass = particle_mass(scene) / f64::from(scene.fluid.rest_density);
+    let density = |v: &f32x4| match kind_of(v[3] as u32, scene) {
+        Some(Kind::Fluid(fluid)) => f64::from(scene.fluid_of(fluid).rest_density),
+        _ => 0.0,
     };
-    let of_spline = if dimension == Dimension::Two { 27.0 } else { 55.0 };
-    Some(of_spline * (steepest(Kernel::CubicSpline) / steepest(kernel)).powi(d as i32))
-}
-
-/// Do the pressure kernel and the neighbours invite pairing, with nothing to keep particles apart?
-fn pairing_warnings(scene: &Scene) -> Option<String> {
-    let kernel = scene.model.pressure_kernel;
-    let most = most_neighbours(kernel, scene.dimension)?;
-    let apart = scene.model.near_pressure != NearPressure::Off;
-    (f64::from(scene.average_neighbours) > most + 0.5 && !apart).then(|| {
-        format!(
-            "{kernel:?} lets particles pair from about {most:.0} neighbours on, and average_neighbours is {}: a Wendland \
-             kernel, fewer neighbours or near pressure keep them apart",
-            scene.average_neighbours
-        )
-    })
+    let fluid = state.heat.iter().zip(&state.position).zip(&state.velocity);
+    fluid.map(|((heat, x), v)| mass * density(v) * f64::from(x[3]) * f64::from(heat[0])).sum()
 }

@@ -175,7 +175,8 @@ choice! {
 choice! {
     /// What a particle of a wall does to the pressure of its neighbours.
     pub enum WallPressure {
-        /// It answers with their own pressure (S1 algorithm 1); two layers.
+        /// It answers with their own pressure (S1 algorithm 1); two layers. What a wall gives back then is no pair's work: it
+        /// feeds what moves along it, and fluids of little viscosity boil at such walls after a second or two.
         Mirrored = wall::MIRRORED => &["wall_mirrored"],
         /// It has density and pressure like the fluid (S0 section 3.5.3); three layers.
         QuasiFluid = wall::QUASI_FLUID => &["wall_quasi_fluid"],

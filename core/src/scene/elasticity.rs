@@ -40,6 +40,12 @@ impl Scene {
         (particles as usize).saturating_mul(self.joined(jitter))
     }
 
+    /// Springs at a particle inside of a lattice.
+    #[must_use]
+    pub fn springs_of_particle(&self) -> usize {
+        self.joined(0.0)
+    }
+
     /// Particles of a lattice, shaken by so much, that a particle of it can be joined to.
     fn joined(&self, jitter: f32) -> usize {
         let d = self.dimension.count();

@@ -15,7 +15,7 @@ use crate::memory::Heap;
 use millpond_core::guided::support_radius;
 use millpond_core::scene::{
     Block, DensityForm, Dimension, Face, Fluid, Kernel, ModelChoice, Periodic, Place, PressureForce, Scene, Wall,
-    WallShape, places,
+    WallPressure, WallShape, places,
 };
 use millpond_core::{Particle, Solver};
 
@@ -278,7 +278,8 @@ fn oil_in_water() -> Scene {
     scene.gravity = [0.0, -GRAVITY as f32, 0.0];
     let tank = WallShape::Box { low: [0.0; 3], high: [width, height, 0.0], open: [].into_iter().collect() };
     scene.walls = [Wall::still(tank)].into_iter().collect();
-    scene.model = ModelChoice { suction: false, ..model(FORMS[0]) };
+    // mirroring walls would give energy to what moves along them
+    scene.model = ModelChoice { suction: false, wall_pressure: WallPressure::QuasiFluid, ..model(FORMS[0]) };
     scene.grid = grid(Dimension::Two, 32);
     scene
 }
