@@ -5,11 +5,11 @@
 //! SIMD level, in debug and release, with either grid structure, and on the GPU backend in strict mode.
 //!
 //! Read in this order:
-//! 1. [`scene`], what can be asked for, and [`guided`], all that follows from it;
+//! 1. [`scene`], what can be asked for, and [`guided`] and [`kinds`], all that follows from it;
 //! 2. [`step`], one page: the passes and their order;
 //! 3. [`terms`], the physics, each formula once for scalar, lanes and WGSL ([`arithmetic`] holds the vocabulary);
 //! 4. `passes`, the loops, and [`grid`], how neighbours are found;
-//! 5. [`solver`], [`memory`] and [`storage`], [`layout`]: the face, the memory, the bytes.
+//! 5. [`solver`], [`report`] and [`springs`], [`memory`] and [`storage`], [`layout`]: the face, the memory, the bytes.
 //!
 //! SI units throughout; in 2D every z is 0 and masses are per metre of depth.
 #![no_std]

@@ -132,10 +132,7 @@ pub fn view(named: &Named, pool: &Pool, steps: u32) -> Result<PlanView, Failure>
 
 /// Memory that something left out would take.
 fn bytes_saved(scene: &Scene, needs: Needs, what: &str) -> usize {
-    // of a scene that has none, as many springs as its blocks would have, were they elastic
-    let mut elastic = scene.clone();
-    std::iter::once(&mut elastic.fluid).chain(&mut elastic.other_fluids).for_each(|f| f.elastic_stiffness = 1.0);
-    let ends = elastic.spring_ends();
+    let ends = ends_if_elastic(scene);
     let with = match what {
         "cell lists" => Needs { places: Needs::of(&with_lists(scene)).places, ..needs },
         "XSPH" => Needs { smoothing: true, ..needs },
@@ -152,6 +149,13 @@ fn bytes_saved(scene: &Scene, needs: Needs, what: &str) -> usize {
     with.bytes() - needs.bytes()
 }
 
+/// Ends of springs of a scene, as many as its blocks would have, were all of them elastic.
+fn ends_if_elastic(scene: &Scene) -> usize {
+    let mut elastic = scene.clone();
+    std::iter::once(&mut elastic.fluid).chain(&mut elastic.other_fluids).for_each(|f| f.elastic_stiffness = 1.0);
+    elastic.spring_ends()
+}
+
 /// The scene with cell lists.
 fn with_lists(scene: &Scene) -> Scene {
     let mut lists = scene.clone();
@@ -165,7 +169,9 @@ fn with_lists(scene: &Scene) -> Scene {
 fn everything(scene: &Scene) -> usize {
     let lists = with_lists(scene);
     let plan = Plan::everything(&lists);
-    Needs { previous: true, free: true, tables: true, air: true, ..Needs::by_plan(&lists, &plan) }.bytes()
+    let needs = Needs::by_plan(&lists, &plan);
+    let spring_ends = ends_if_elastic(scene);
+    Needs { previous: true, free: true, tables: true, air: true, spring_ends, plastic: true, ..needs }.bytes()
 }
 
 /// Times the two plans in turn, so that both meet the same mood of the machine.
