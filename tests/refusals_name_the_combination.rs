@@ -100,6 +100,7 @@ fn by_name() {
     refused("surface_tension Curvature", "edge", |s| {
         (s.model.surface_tension, s.model.density_kernel) = (SurfaceTension::Curvature, Kernel::Spiky);
     });
+    refused("elasticity", "elastic_stiffness", |s| s.elasticity.break_at = Some(0.1));
     refused("near_stiffness", "Off", |s| {
         s.fluid.near_stiffness = Some(1.0);
         s.model.near_pressure = NearPressure::Off;
@@ -131,6 +132,8 @@ fn bounds() {
         let result = scene(|s| s.model.correction.iterations = iterations);
         assert!(matches!(result, Err(SceneError::CapacityExceeded { needed, .. }) if needed == iterations as usize));
     }
+    let result = scene(|s| s.fluid.elastic_stiffness = 1e38);
+    assert_eq!(result, Err(SceneError::OutOfScale { field: "fluid.elastic_stiffness", value: 1e38 }));
     let result = scene(|s| s.blocks[0].fluid = 1);
     assert_eq!(result, Err(SceneError::NoSuchFluid { field: "blocks.fluid", fluid: 1, fluids: 1 }));
     let result = scene(|s| {
@@ -138,7 +141,7 @@ fn bounds() {
     });
     assert_eq!(result, Err(SceneError::NotPositive { field: "other_fluids.rest_density", value: -1.0 }));
     let plasticity = Some(Plasticity { rate: 2000.0, yield_strain: 0.1 });
-    let result = scene(|s| s.elasticity.plasticity = plasticity);
+    let result = scene(|s| (s.fluid.elastic_stiffness, s.elasticity.plasticity) = (10.0, plasticity));
     assert!(matches!(result, Err(SceneError::OutOfBounds { field: "elasticity.plasticity.rate", .. })), "{result:?}");
     let result = scene(|s| s.field = Some(FieldLattice { low: [0.0; 3], spacing: 0.1, counts: [4, 1, 4] }));
     assert_eq!(result, Err(SceneError::TooFewNodes { axis: 1, nodes: 1 }));

@@ -19,12 +19,18 @@ pub(crate) const CORRECTION_SOURCE: f32 = 0.1;
 /// Where a smooth kernel's Laplacian is taken for that at no distance, over H; it is even there, so this is right to 1e-6.
 const AT_SELF: f64 = 1e-4;
 
+/// Particles inside the support radius of the scene: the fewest that one of its fluids has (S0 section 3.3).
+#[must_use]
+pub fn average_neighbours(scene: &Scene) -> f32 {
+    let own = scene.fluids().map(|fluid| fluid.average_neighbours.unwrap_or(scene.average_neighbours));
+    own.fold(f32::INFINITY, f32::min)
+}
+
 /// Radius that holds `average_neighbours` particles at the initial spacing: `n = N/V 4/3 pi H^3`, in 2D `N/A pi H^2`
 /// (S0 section 4.1.5 per errata), m. Of several fluids the smallest one (S0 section 3.3).
 #[must_use]
 pub fn support_radius(scene: &Scene) -> f64 {
-    let neighbours = scene.fluids().map(|fluid| fluid.average_neighbours.unwrap_or(scene.average_neighbours));
-    let (n, spacing) = (f64::from(neighbours.fold(f32::INFINITY, f32::min)), f64::from(scene.particle_spacing));
+    let (n, spacing) = (f64::from(average_neighbours(scene)), f64::from(scene.particle_spacing));
     match scene.dimension {
         Dimension::Two => spacing * libm::sqrt(n / PI),
         Dimension::Three => spacing * libm::cbrt(n * 3.0 / (4.0 * PI)),

@@ -14,6 +14,16 @@ const DEFAULT_NEAR_SHARE: f64 = 0.1;
 /// with the half that keeps it from overshooting where all particles change at once.
 const RELAXATION: f64 = 0.5;
 
+/// Written for the viscosity of a wall that takes the particle's.
+const VISCOSITY_OF_PARTICLE: f32 = -1.0;
+
+/// Half of the stiffness of a fluid's springs over the mass of its particles at rest, `k / (2 m)`, 1/s2.
+#[must_use]
+pub fn spring_pull(scene: &Scene, fluid: &Fluid) -> f64 {
+    let mass = particle_mass(scene) * f64::from(fluid.rest_density) / f64::from(scene.fluid.rest_density);
+    f64::from(fluid.elastic_stiffness) / (2.0 * mass)
+}
+
 /// Near pressure over density, m2/s2; 0 where near pressure is off.
 #[must_use]
 pub fn near_stiffness(scene: &Scene, fluid: &Fluid) -> f64 {
@@ -79,7 +89,7 @@ fn rows(scene: &Scene, of: impl Fn(&Fluid) -> f32x4) -> Kinds {
     kinds
 }
 
-/// Viscosity, 1 for a wall and 2 for air that is not there, rest density over the first fluid's, number of the fluid.
+/// Viscosity (negative: that of the particle), 1 for a wall and 2 for air that is not there, rest density over the first fluid's, number of the fluid.
 pub(crate) fn species(scene: &Scene) -> Kinds {
     let ratio = |fluid: &Fluid| fluid.rest_density / scene.fluid.rest_density;
     let mut kinds = rows(scene, |fluid| [fluid.dynamic_viscosity, 0.0, ratio(fluid), 0.0]);
@@ -91,8 +101,7 @@ pub(crate) fn species(scene: &Scene) -> Kinds {
         kind[3] = block.fluid as f32;
     }
     for (kind, wall) in kinds[FIRST_WALL as usize..].iter_mut().zip(&scene.walls) {
-        let own = scene.fluid_of(wall.fluid).dynamic_viscosity;
-        *kind = [wall.dynamic_viscosity.unwrap_or(own), 1.0, kind[2], wall.fluid as f32];
+        *kind = [wall.dynamic_viscosity.unwrap_or(VISCOSITY_OF_PARTICLE), 1.0, kind[2], wall.fluid as f32];
     }
     // nobody acts on air that is not there
     kinds[DORMANT as usize][1] = NOT_THERE;

@@ -182,7 +182,8 @@ impl<'m> Solver<'m> {
             if let Some(heat) = state.heat.get_mut(slot) {
                 let energy = match kind {
                     Some(Kind::Fluid(fluid)) => scene.fluid_of(fluid).thermal_energy,
-                    _ => self.parameters.air_heat,
+                    Some(Kind::Dormant) => self.parameters.air_heat,
+                    _ => 0.0,
                 };
                 *heat = [energy, 0.0, 0.0, 0.0];
             }

@@ -1,7 +1,7 @@
 //! The springs of elastic fluids: made once, at the start (S0 section 2.2.6), and looked at from outside.
 use crate::error::SceneError;
-use crate::guided::particle_mass;
 use crate::hash::tree_sum;
+use crate::kinds::spring_pull;
 use crate::layout::{Parameters, f32x4, u32x2, u32x4};
 use crate::plan::Plan;
 use crate::scene::Scene;
@@ -31,10 +31,9 @@ pub(crate) fn join(solver: &mut Solver<'_>, scene: &Scene) -> Result<(), SceneEr
     }
     let (m, p) = (solver.plan().model, *solver.parameters());
     let reach = f64::from(scene.elasticity.reach) * f64::from(scene.particle_spacing) * REACH_MARGIN;
-    let mass = particle_mass(scene);
-    let pull = |[_, wall, rest, fluid]: f32x4, share: f32| {
-        let stiffness = if wall > 0.0 { 0.0 } else { f64::from(scene.fluid_of(fluid as u32).elastic_stiffness) };
-        (stiffness / (2.0 * mass * f64::from(rest) * f64::from(share))) as f32
+    let pull = |[_, wall, _, fluid]: f32x4, share: f32| {
+        let of_rest = if wall > 0.0 { 0.0 } else { spring_pull(scene, scene.fluid_of(fluid as u32)) };
+        (of_rest / f64::from(share)) as f32
     };
     // how many ends each has, then where they begin, then who is there
     let distance = |solver: &Solver<'_>, a: usize, b: usize| -> Option<f32> {

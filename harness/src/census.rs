@@ -4,7 +4,7 @@ use crate::fluid::Snapshot;
 use crate::memory::Heap;
 use millpond_core::layout::f32x4;
 use millpond_core::report::{DensityError, Energies};
-use millpond_core::scene::{GridStructure, Scene};
+use millpond_core::scene::{Elasticity, GridStructure, Scene};
 use millpond_core::{Needs, Plan, Solver};
 use serde::Serialize;
 
@@ -56,6 +56,7 @@ pub fn census(scene: &Scene, state: &Snapshot) -> Result<Census, Failure> {
     scene.grid.structure = GridStructure::IndexSort;
     // springs are made where particles start, and this is not where they did
     std::iter::once(&mut scene.fluid).chain(&mut scene.other_fluids).for_each(|fluid| fluid.elastic_stiffness = 0.0);
+    scene.elasticity = Elasticity::default();
     let scene = &scene;
     let mut heap = Heap::with(Needs { particles: count, ..Needs::of(scene) });
     let solver = Solver::with_particles(scene, Plan::of(scene), count, state.places(), heap.lend());

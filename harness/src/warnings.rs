@@ -1,6 +1,7 @@
 //! What a user should know of a scene that ran: choices that are known to end badly, and limits of the time step.
-use millpond_core::guided::{particle_mass, support_radius};
+use millpond_core::guided::{average_neighbours, support_radius};
 use millpond_core::kernel::slope;
+use millpond_core::kinds::spring_pull;
 use millpond_core::scene::{Dimension, EquationOfState, Fluid, Kernel, NearPressure, Scene, SurfaceTension};
 use std::f64::consts::PI;
 
@@ -76,8 +77,7 @@ fn capillary(scene: &Scene, fluid: &Fluid) -> Option<String> {
 fn springs(scene: &Scene, fluid: &Fluid) -> Option<String> {
     // each of them pulls with half of its stiffness, and those along a direction are a share of all
     let ends = scene.springs_of_particle() as f64 / scene.dimension.count() as f64;
-    let mass = particle_mass(scene) * f64::from(fluid.rest_density / scene.fluid.rest_density);
-    let omega = (f64::from(fluid.elastic_stiffness) / 2.0 * ends / mass).sqrt();
+    let omega = (spring_pull(scene, fluid) * ends).sqrt();
     (omega * f64::from(scene.time_step) > SPRING_LIMIT)
         .then(|| format!("springs need a time_step of at most {:.1e} s", SPRING_LIMIT / omega))
 }
@@ -105,11 +105,11 @@ fn pairing(scene: &Scene) -> Option<String> {
     let kernel = scene.model.pressure_kernel;
     let most = most_neighbours(kernel, scene.dimension)?;
     let apart = scene.model.near_pressure != NearPressure::Off;
-    (f64::from(scene.average_neighbours) > most + 0.5 && !apart).then(|| {
+    (f64::from(average_neighbours(scene)) > most + 0.5 && !apart).then(|| {
         format!(
             "{kernel:?} lets particles pair from about {most:.0} neighbours on, and average_neighbours is {}: a Wendland \
              kernel, fewer neighbours or near pressure keep them apart",
-            scene.average_neighbours
+            average_neighbours(scene)
         )
     })
 }

@@ -33,7 +33,7 @@ shared! {
         pub field_counts: u32x4,
         /// Penalty walls: inward unit normal, and offset along it in m.
         pub planes: Planes,
-        /// Kinds of particle: dynamic viscosity in Pa s, 1 for a wall and 2 for air that is not there, rest density
+        /// Kinds of particle: dynamic viscosity in Pa s (negative for a wall that takes the particle's), 1 for a wall and 2 for air that is not there, rest density
         /// over the first fluid's, number of the fluid.
         pub species: Kinds,
         /// Constant of the equation of state, near pressure at rest (thesis) or over the near sum (article), both in Pa, speed
@@ -148,6 +148,8 @@ impl Parameters {
         self.time_step = 0.0;
         self.half_time_step = 0.0;
         self.plane_count = 0;
+        self.plastic_share = 0.0;
+        self.breaking_stretch = f32::MAX;
         self
     }
 }

@@ -1,8 +1,8 @@
 //! What makes a scene impossible, said before anything is touched.
 use super::{Container, EquationOfState, Face, Fluid, GridStructure, Scene, WallShape, lattice, walls};
 use crate::error::SceneError;
-use crate::guided::{parameters, support_radius};
-use crate::kinds::near_stiffness;
+use crate::guided::{average_neighbours, parameters, support_radius};
+use crate::kinds::{near_stiffness, spring_pull};
 use crate::lattice_sums::MOST_SPACINGS;
 
 /// Most particles of a scene: an id shares a word with an axis or a quantity in an error report.
@@ -27,15 +27,15 @@ impl Scene {
         positive("particle_spacing", self.particle_spacing)?;
         positive("average_neighbours", self.average_neighbours)?;
         positive("time_step", self.time_step)?;
+        finite("gravity", &self.gravity)?;
+        self.check_surroundings()?;
+        (0..).zip(self.fluids()).try_for_each(check_fluid)?;
         let reach = support_radius(self) / f64::from(self.particle_spacing);
         let sums = self.model.calibrated_mass || self.model.equation_of_state == EquationOfState::PressureCorrection;
         let elastic = self.fluids().any(|fluid| fluid.elastic_stiffness > 0.0);
         if (sums || elastic || !self.walls.is_empty()) && reach > MOST_SPACINGS {
-            return Err(SceneError::OutOfScale { field: "average_neighbours", value: self.average_neighbours });
+            return Err(SceneError::OutOfScale { field: "average_neighbours", value: average_neighbours(self) });
         }
-        finite("gravity", &self.gravity)?;
-        self.check_surroundings()?;
-        (0..).zip(self.fluids()).try_for_each(check_fluid)?;
         self.check_surface()?;
         self.check_elasticity()?;
         self.check_blocks()?;
@@ -64,6 +64,10 @@ impl Scene {
             }
             scale("time_step", self.time_step, &[correction, inverse_correction])?;
             scale(field!(number, "rest_density"), fluid.rest_density, &[derived.species[number][2]])?;
+            if fluid.elastic_stiffness > 0.0 {
+                let pull = spring_pull(self, fluid) as f32;
+                scale(field!(number, "elastic_stiffness"), fluid.elastic_stiffness, &[pull])?;
+            }
         }
         scale("time_step", self.time_step, &[derived.inverse_time_step])?;
         scale("fluid.rest_density", self.fluid.rest_density, &[derived.particle_mass])?;

@@ -1,8 +1,8 @@
 //! Choices that do not go together, refused by name before anything is touched.
 use super::check::positive;
 use super::{
-    Air, Correction, DensityForm, EquationOfState, Evaluation, Fluid, GridStructure, Iteration, Kernel, NearPressure,
-    PressureForce, Scene, SurfaceTension, Viscosity, WallPressure,
+    Air, Correction, DensityForm, Elasticity, EquationOfState, Evaluation, Fluid, GridStructure, Iteration, Kernel,
+    NearPressure, PressureForce, Scene, SurfaceTension, Viscosity, WallPressure,
 };
 use crate::error::SceneError;
 use crate::guided::least_cell;
@@ -23,6 +23,7 @@ impl Scene {
         self.check_support()?;
         self.check_fluids()?;
         self.check_tension()?;
+        self.check_springs()?;
         self.check_air()?;
         let model = &self.model;
         let one_sided = matches!(model.pressure_force, PressureForce::Canonical | PressureForce::Difference);
@@ -209,6 +210,21 @@ impl Scene {
                 "model.viscosity MuellerAdapted",
                 "a model.density and a model.pressure_force that are not adapted",
                 "no number density is there for it",
+            ));
+        }
+        Ok(())
+    }
+
+    fn check_springs(&self) -> Result<(), SceneError> {
+        let elastic = |fluid: &Fluid| fluid.elastic_stiffness > 0.0;
+        if self.elasticity != Elasticity::default() && !self.fluids().any(elastic) {
+            return Err(not_together("elasticity", "no fluid.elastic_stiffness", "nothing would use it"));
+        }
+        if self.air.is_some_and(|air| elastic(self.fluid_of(air.fluid))) {
+            return Err(not_together(
+                "air.fluid",
+                "an elastic_stiffness of that fluid",
+                "springs would hold on to air that has vanished",
             ));
         }
         Ok(())

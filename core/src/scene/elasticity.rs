@@ -12,7 +12,8 @@ pub struct Elasticity {
     /// Particles of one fluid are joined that are no farther apart than so many spacings (default 1.5: on a lattice the
     /// nearest and the diagonal ones), and inside each other's support.
     pub reach: f32,
-    /// Springs at most (default: as many as a lattice needs whose particles are shaken by the blocks' jitter).
+    /// Springs at most (default: as many as a lattice needs whose particles are shaken by the blocks' jitter). Blocks of one
+    /// fluid that overlap, or touch with their lattices out of step, and places of a host's own may need more.
     pub capacity: Option<u32>,
     /// Do lengths at rest give way to strain? (Clavet et al. 2005, section 5.2; default never.)
     pub plasticity: Option<Plasticity>,
@@ -37,7 +38,8 @@ impl Scene {
         let blocks = || self.blocks.iter().filter(elastic);
         let jitter = blocks().map(|block| block.jitter).fold(0.0, f32::max);
         let particles: u64 = blocks().map(|block| counts(block, self).iter().product::<u64>()).sum();
-        (particles as usize).saturating_mul(self.joined(jitter))
+        let particles = particles as usize;
+        particles.saturating_mul(self.joined(jitter).min(particles.saturating_sub(1)))
     }
 
     /// Springs at a particle inside of a lattice.

@@ -55,7 +55,7 @@ pub struct Wall {
     /// Which fluid it is like where it is quasi-fluid: its particles have that one's density (default 0, the first).
     #[cfg_attr(feature = "serde", serde(default))]
     pub fluid: u32,
-    /// Dynamic viscosity between it and the fluid, Pa s (default the fluid's: no slip; 0: free slip).
+    /// Dynamic viscosity between it and a particle, Pa s (default the particle's own: no slip; 0: free slip).
     #[cfg_attr(feature = "serde", serde(default))]
     pub dynamic_viscosity: Option<f32>,
 }

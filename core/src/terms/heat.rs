@@ -1,7 +1,8 @@
 //! Thermal energy (S3: `du_a/dt = 1/2 sum m_b (P_a / rho_a^2 + P_b / rho_b^2 + Pi_ab) v_ab . grad W`; S4: what viscosity
-//! dissipates): half of the work that a pair's forces take from its motion, whatever those forces are. Taken with the
+//! dissipates): half of the work that pressures and viscosity of a pair take from its motion, in whatever form. Taken with the
 //! velocities at the step, it is exactly what the two half kicks around it cost, so the sum of energies is kept to the order
-//! of the integrator. (But for exchanges of velocity that were cut down to a limit.)
+//! of the integrator. (But for exchanges of velocity that were cut down to a limit,
+//! for tensions, whose energy is in the surface, and for lengths of springs that gave way.)
 use super::exchange::*;
 use super::geometry::*;
 use super::neighbour::*;

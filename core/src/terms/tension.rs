@@ -120,7 +120,8 @@ pub fn tension_close<R: Real>(m: &Model, p: &Parameters, a: Local<R>, normal: ve
     return normal * if_at_surface(p, normal, real(0.0), pull);
 }
 
-/// `a_a = -(sigma / m_a) sum m_b x_ab W` (Becker and Teschner 2007; S0 eq. 3.12 per errata), as a force density, N/m3.
+/// `a_a = -(sigma / m_a) sum m_b x_ab W` (Becker and Teschner 2007; S0 eq. 3.12 per errata), as a force density, N/m3. Of particles
+/// whose masses differ, as with a hydrostatic start, it does not keep momentum.
 #[inline(always)]
 pub fn attraction<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>) -> vec3<R> {
     let x_ab = separation(m, p, a.position, b.position);

@@ -57,7 +57,7 @@ pub fn viscosity_artificial<R: Real>(p: &Parameters, weight: R, sound: R, approa
 /// `rho_a m_b / ((rho_a + rho_b) / 2)`, kg/m3 times m3.
 #[inline(always)]
 pub fn mean_density_weight<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>) -> R {
-    let both = (density_ratio(m, a.deviation, a.rest) + density_ratio(m, b.deviation, b.rest)) * p.rest_density;
+    let both = (density_ratio(m, a.deviation, a.rest) + density_seen(m, a, b)) * p.rest_density;
     let mass = mass_seen(m, a.rest, b.mass, b.rest, b.wall) * p.particle_mass;
     return div(local_density(m, p, a) * mass * 2.0, both);
 }
@@ -97,7 +97,9 @@ pub fn viscosity_pair<R: Real>(
         return x_ab * -(along * fall);
     }
     let sound_a = sound_of_state(m, a.deviation, a.sound, a.equation);
-    let mean_sound = (sound_a + sound_of_state(m, b.deviation, b.sound, b.equation)) * 0.5;
+    let sound_b = wall_mirrored(m, a.sound, b.sound, b.wall);
+    let equation_b = wall_mirrored(m, a.equation, b.equation, b.wall);
+    let mean_sound = (sound_a + sound_of_state(m, b.deviation, sound_b, equation_b)) * 0.5;
     let along = viscosity_artificial(p, mean_density_weight(m, p, a, b), mean_sound, approach, inverse_square);
     return x_ab * (along * fall);
 }

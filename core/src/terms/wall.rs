@@ -20,13 +20,16 @@ pub fn wall_mirrored<R: Real>(m: &Model, own: R, x: R, wall_b: R) -> R {
     return x;
 }
 
-/// Viscosity of a pair, Pa s: the mean, or that of the wall, from no slip to none (S0 section 3.5.3).
+/// Viscosity of a pair, Pa s: the mean, or that of the wall, from no slip to none (S0 section 3.5.3); a wall that has none of
+/// its own, which is written as a negative one, has the particle's.
 #[inline(always)]
 pub fn pair_viscosity<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {
     if m.species == 0 {
         return a.viscosity;
     }
-    return select((a.viscosity + b.viscosity) * 0.5, b.viscosity, less(real(0.0), b.wall));
+    let nothing: R = real(0.0);
+    let of_wall = select(b.viscosity, a.viscosity, less(b.viscosity, nothing));
+    return select((a.viscosity + b.viscosity) * 0.5, of_wall, less(nothing, b.wall));
 }
 
 /// 0 for what a particle of a wall, or of air that is not there, would do, were it free.
@@ -48,6 +51,13 @@ pub fn mass_seen<R: Real>(m: &Model, rest_a: R, mass_b: R, rest_b: R, wall_b: R)
         return mass_b;
     }
     return mass_b * wall_mirrored(m, rest_a, rest_b, wall_b);
+}
+
+/// Density of a neighbour over that of the scene's first fluid at rest; a mirroring wall's is as if it were of the particle's
+/// own fluid.
+#[inline(always)]
+pub fn density_seen<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {
+    return density_ratio(m, b.deviation, wall_mirrored(m, a.rest, b.rest, b.wall));
 }
 
 /// `m_b / m_a`.

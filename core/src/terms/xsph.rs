@@ -14,7 +14,7 @@ pub fn xsph_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R
     let scale = pair_scale(m, a.support, b.support);
     let q2 = squared_ratio(m, p, x_ab, scale);
     let w = value_scaled(m, density_kernel(m, t, q2), scale);
-    let both = density_ratio(m, a.deviation, a.rest) + density_ratio(m, b.deviation, b.rest);
+    let both = density_ratio(m, a.deviation, a.rest) + density_seen(m, a, b);
     let mass = mass_seen(m, a.rest, b.mass, b.rest, b.wall);
     return (b.velocity - a.velocity) * if_inside(q2, div(w * mass * 2.0, both));
 }

@@ -12,7 +12,9 @@ fn pass_body(thread: u32) {
     atomicStore(&head.status.last_iterations, iterations);
     atomicAdd(&head.status.total_iterations, iterations);
     atomicStore(&head.status.settled, 0u);
-    atomicAdd(&head.status.air_refused, atomicExchange(&head.status.refused, 0u));
+    // a count that is full stays so
+    let room = NONE - atomicLoad(&head.status.air_refused);
+    atomicAdd(&head.status.air_refused, min(atomicExchange(&head.status.refused, 0u), room));
     atomicStore(&head.status.air_alive, atomicLoad(&head.status.alive));
   }
 }
