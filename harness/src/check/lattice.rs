@@ -147,8 +147,9 @@ pub(super) fn shear_table() -> String {
         }
     }
     let titles = ["dimension", "neighbours", "cubic spline", "Wendland C2", "Wendland C4", "Poly6"];
-    "Modulus of shear of a lattice under pressure, over the pressure: where it is negative, flow that grows from a lattice \
-     grows too fast, where it is large and positive too slowly.\n\n"
+    "How a lattice answers to shear: what it gains in energy, over its pressure and the square of the strain, which is twice its \
+     modulus of shear over its pressure. Where that is negative, flow that grows from a lattice grows too fast; where it is \
+     large, too slowly.\n\n"
         .to_owned()
         + &table(titles, lines)
 }

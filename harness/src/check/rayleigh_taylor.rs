@@ -47,9 +47,9 @@ const LIMIT: f64 = 0.10;
 /// The table has six digits.
 const FORMULA_LIMIT: f64 = 1e-5;
 
-/// Kernel of all sums, and particles inside its support. A lattice under a pressure P bears shear as if it had a shear modulus
-/// of some share of P: 0.3 % with these; with the usual 32 and Wendland's C2 -5 %, and the ripple then grows by that too, at
-/// 1.35 1/s (`millpond check kernels` has the table).
+/// Kernel of all sums, and particles inside its support. A lattice under a pressure P bears shear as if it had a modulus of
+/// shear: of 0.1 % of P with these; with the usual 32 and Wendland's C2 of -2 %, and the ripple then grows by that too, at 1.35 1/s
+/// (`millpond check kernels` has the table).
 const KERNEL: Kernel = Kernel::WendlandC4;
 const NEIGHBOURS: f32 = 64.0;
 
