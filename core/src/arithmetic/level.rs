@@ -40,11 +40,18 @@ impl Simd {
     #[inline]
     pub(crate) fn run<W: Work>(self, work: W) {
         match self {
-            Simd::Scalar => work.run::<f32>(),
-            Simd::Base => work.run::<Base>(),
+            Simd::Scalar => run_by::<f32, W>(work),
+            Simd::Base => run_by::<Base, W>(work),
             Simd::Avx2 => run_avx2(work),
         }
     }
+}
+
+/// A function of its own for each level: without optimisation the places of all that is compiled into one lie side by side on
+/// the stack, and those of two levels are more than a thread has.
+#[inline(never)]
+fn run_by<R: Real, W: Work>(work: W) {
+    work.run::<R>();
 }
 
 #[cfg(target_arch = "x86_64")]
