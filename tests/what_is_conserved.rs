@@ -178,7 +178,7 @@ fn an_even_motion_of_everything_is_no_motion() {
         let mut heap = Heap::of(&scene);
         let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
         (0..200).for_each(|_| solver.step(&Serial).expect("a step"));
-        let off = |p: millpond_core::solver::Particle| (p.velocity.x - 1.0).abs().max((p.velocity.y + 0.5).abs());
+        let off = |p: millpond_core::Particle| (p.velocity.x - 1.0).abs().max((p.velocity.y + 0.5).abs());
         let largest = solver.particles().map(off).fold(0.0, f32::max);
         // a lattice at rest has a pressure of its own, some 100 Pa, whose gradient is what rounding makes of 0
         assert!(largest < 1e-4, "{evaluation:?}: {largest} m/s");

@@ -1,0 +1,75 @@
+//! A particle, as a host sees it.
+use crate::kinds::NOT_THERE;
+use crate::layout::{SPECIES, f32x4};
+use crate::solver::Solver;
+use glam::Vec3;
+
+/// One particle, as a host sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Particle {
+    /// Its number for as long as it lives.
+    pub id: u32,
+    /// m.
+    pub position: Vec3,
+    /// m/s.
+    pub velocity: Vec3,
+    /// kg/m3.
+    pub density: f32,
+    /// Pa.
+    pub pressure: f32,
+    /// J/kg; 0 where a scene keeps no account of it.
+    pub thermal_energy: f32,
+    /// Does it belong to a wall?
+    pub wall: bool,
+    /// Is it air that is not there? Nothing else of it then means anything.
+    pub dormant: bool,
+    /// Number of its fluid; of a wall's, of the one that it is like.
+    pub fluid: u32,
+    /// Inward normal of its fluid's surface, the gradient of its colour, 1/m; 0 where a scene finds none.
+    pub normal: Vec3,
+    /// Curvature of the surface, 1/m, positive where the fluid is convex; 0 off the surface, and where no tension needs it.
+    pub curvature: f32,
+    /// Is it at the surface? (Where a scene finds normals.)
+    pub at_surface: bool,
+}
+
+impl Solver<'_> {
+    /// The particles, in order of their ids.
+    pub fn particles(&self) -> impl ExactSizeIterator<Item = Particle> {
+        let state = self.state();
+        let vector = |[x, y, z, _]: f32x4| Vec3::new(x, y, z);
+        self.slots().iter().enumerate().map(move |(id, &slot)| {
+            let slot = slot as usize;
+            let [deviation, pressure, ..] = state.density_pressure[slot];
+            let (position, velocity) = (vector(state.position[slot]), vector(state.velocity[slot]));
+            let [_, wall, rest, fluid] = self.kind(slot);
+            let normal = state.normal.get(slot).map_or(Vec3::ZERO, |&normal| vector(normal));
+            Particle {
+                id: id as u32,
+                position,
+                velocity,
+                density: (deviation + 1.0) * self.parameters().rest_density * rest,
+                pressure,
+                thermal_energy: state.heat.get(slot).map_or(0.0, |heat| heat[0]),
+                wall: wall > 0.0 && wall < NOT_THERE,
+                dormant: wall >= NOT_THERE,
+                fluid: fluid as u32,
+                normal,
+                curvature: if self.plan().model.has_curvature() { state.acceleration[slot][3] } else { 0.0 },
+                at_surface: normal.length() > self.parameters().surface_threshold,
+            }
+        })
+    }
+
+    /// What the kind of the particle in a slot has of its own ([`Parameters::species`]).
+    pub(crate) fn kind(&self, slot: usize) -> f32x4 {
+        let kind = self.state().velocity[slot][3] as usize;
+        let known = if self.plan().model.species == 1 { kind.min(SPECIES - 1) } else { 0 };
+        self.parameters().species[known]
+    }
+
+    /// Does the particle in a slot belong to a wall, or is it air that is not there?
+    pub(crate) fn is_wall(&self, slot: usize) -> bool {
+        self.kind(slot)[1] > 0.0
+    }
+}
