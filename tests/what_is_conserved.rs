@@ -160,7 +160,10 @@ fn energy_to_the_order_of_the_integrator() {
             let (coarse, fine) = (strayed(1, several), strayed(4, several));
             // second order is 16 times less, but for the terms after it and the rounding of single precision
             let name = format!("{viscosity:?}, several fluids {several}");
-            assert!(coarse < 8e-2 && fine < coarse / 8.0, "{name}: {coarse:e}, by a fourth of the step {fine:e}");
+            // how much the coarse step loses is no promise, only that it is small: the light fluid's faster sound makes the same
+            // step a longer one (artificial viscosity: 5.7 %), and the order is what counts
+            let most = if several { 8e-2 } else { 5e-2 };
+            assert!(coarse < most && fine < coarse / 8.0, "{name}: {coarse:e}, by a fourth of the step {fine:e}");
         }
     }
 }
