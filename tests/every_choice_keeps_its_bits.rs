@@ -6,9 +6,10 @@ use millpond::memory::Heap;
 use millpond::pool::Pool;
 use millpond_core::layout::f32x4;
 use millpond_core::scene::{
-    Air, Block, Container, Correction, DensityForm, Dimension, Elasticity, EquationOfState, Evaluation, FieldLattice,
-    Fluid, Grid, GridStructure, Iteration, Kernel, ModelChoice, NearPressure, Periodic, Plasticity, PressureForce,
-    Reflection, Scene, SupportRange, SurfaceTension, Viscosity, Wall, WallPressure, WallShape, Wind,
+    Adaptive, Air, Block, Container, Correction, DensityForm, Dimension, Elasticity, EquationOfState, Evaluation,
+    FieldLattice, Fluid, Grid, GridStructure, Integrator, Iteration, Kernel, ModelChoice, NearPressure, Periodic,
+    Plasticity, PressureForce, Reflection, Scene, SupportRange, SurfaceTension, Viscosity, Wall, WallPressure,
+    WallShape, Wind,
 };
 use millpond_core::{Plan, Simd, Solver};
 use millpond_gpu::program::{Words, program};
@@ -156,6 +157,60 @@ fn choices(base: &Scene) -> Vec<(String, Scene)> {
             pulled(s);
         });
     }
+    for &integrator in Integrator::ALL {
+        add(format!("integrator {integrator:?}"), &|s| s.model.integrator = integrator);
+        add(format!("integrator {integrator:?} with heat, XSPH, walls of particles, across a periodic side"), &|s| {
+            s.model = ModelChoice { integrator, thermal_energy: true, viscosity: Viscosity::Artificial, ..s.model };
+            s.model.density = DensityForm::Continuity;
+            s.fluid.xsph = 0.3;
+            s.container = None;
+            s.periodic = Some(Periodic { low: [0.0; 3], high: [0.8, 0.6, 0.6], axes: [true, false, false] });
+            walls(s);
+        });
+        if again(integrator) {
+            add(format!("integrator {integrator:?}, evaluated again"), &|s| {
+                (s.model.integrator, s.model.reevaluate) = (integrator, true);
+            });
+            add(format!("integrator {integrator:?}, evaluated again with springs and tension"), &|s| {
+                s.model = ModelChoice { integrator, reevaluate: true, ..ModelChoice::multiphase() };
+                s.model.surface_tension = SurfaceTension::NormalCurvature;
+                (s.fluid.elastic_stiffness, s.fluid.xsph, s.model.thermal_energy) = (500.0, 0.1, true);
+                s.elasticity.plasticity = Some(Plasticity { rate: 20.0, yield_strain: 0.01 });
+                pulled(s);
+            });
+        }
+        if integrator.allows_changing_steps() {
+            add(format!("integrator {integrator:?}, adaptive"), &|s| {
+                s.model.integrator = integrator;
+                s.adaptive = Some(Adaptive { growth: 1.3, ..Adaptive::default() });
+            });
+            add(format!("integrator {integrator:?}, adaptive, and made again"), &|s| {
+                s.model.integrator = integrator;
+                // too long a first step, and a criterion that tightens as the blocks meet
+                s.time_step = 0.004;
+                let redo_above = Some(1.01);
+                s.adaptive = Some(Adaptive { speed: None, sound: None, redo_above, ..Adaptive::default() });
+            });
+        }
+    }
+    add("adaptive, of two fluids in supports that vary, with corrected pressure".into(), &|s| {
+        second_fluid(s);
+        s.model.variable_support = Some(SupportRange { smallest: 0.7, largest: 1.3 });
+        s.model.equation_of_state = EquationOfState::PressureCorrection;
+        s.model.pressure_force = PressureForce::MonaghanAdapted;
+        s.adaptive = Some(Adaptive { redo_above: Some(1.0), ..Adaptive::default() });
+    });
+    add("adaptive, held at its shortest step".into(), &|s| {
+        s.adaptive = Some(Adaptive { smallest: 0.0009, redo_above: Some(1.0), ..Adaptive::default() });
+    });
+    add("adaptive with air".into(), &|s| {
+        s.model = ModelChoice::multiphase();
+        second_fluid(s);
+        s.blocks[1].fluid = 0;
+        s.air = Some(Air { fluid: 1, capacity: 60, threshold: 0.5, minimum_density: 0.6 });
+        s.adaptive = Some(Adaptive { redo_above: Some(1.0), ..Adaptive::default() });
+    });
+    add("stiffness_for_time_step".into(), &|s| s.stiffness_for_time_step = Some(0.2));
     add("normals alone".into(), &|s| s.model.surface_normals = true);
     for &near in NearPressure::ALL {
         for density in [DensityForm::Summation, DensityForm::SummationAdapted] {
@@ -277,6 +332,12 @@ fn choices(base: &Scene) -> Vec<(String, Scene)> {
     all
 }
 
+/// Does evaluating its forces again make a difference that its places do not undo?
+fn again(integrator: Integrator) -> bool {
+    use Integrator::*;
+    !matches!(integrator, Euler | SemiImplicitEuler | Clavet | PositionCorrectedBeeman)
+}
+
 /// Makes the second block one of another fluid, lighter and stiffer.
 fn second_fluid(s: &mut Scene) {
     let light = Fluid { rest_density: 700.0, speed_of_sound: 12.0, dynamic_viscosity: 5.0, ..Fluid::default() };
@@ -317,12 +378,13 @@ fn by_cpu(scene: &Scene, simd: Simd, threads: usize, heap: &mut Heap, gpu: Optio
         let mut fluid = GpuSolver::new(gpu, &solver).expect("a device that takes it");
         fluid.set_field(&field(scene)).expect("a field");
         fluid.step(STEPS).expect("steps on the device");
-        (Snapshot::of_gpu(&fluid).expect("a state"), fluid.correction().expect("a report"))
+        let reports = (fluid.correction().expect("a report"), fluid.time_report().expect("a report"));
+        (Snapshot::of_gpu(&fluid).expect("a state"), reports)
     });
     let pool = Pool::new(threads).expect("threads");
     (0..STEPS).for_each(|_| solver.step(&pool).expect("a step"));
-    if let Some((_, report)) = &on_device {
-        assert_eq!(*report, solver.correction(), "iterations of pressure");
+    if let Some((_, reports)) = &on_device {
+        assert_eq!(*reports, (solver.correction(), solver.time_report()), "iterations of pressure, and the time step");
     }
     [Some(Snapshot::of_cpu(&solver)), on_device.map(|(state, _)| state)]
 }

@@ -3,7 +3,9 @@ use crate::kernel::{laplacian, near_slope_constant};
 use crate::kinds::{corrections, species, state_stiffness, states};
 use crate::lattice_sums::kernel_sum;
 use crate::layout::{PLANES, Parameters, Planes, f32x4};
-use crate::scene::{Dimension, EquationOfState, Face, NearPressure, PressureForce, Scene, SupportRange, Viscosity};
+use crate::scene::{
+    Adaptive, Dimension, EquationOfState, Face, Fluid, NearPressure, PressureForce, Scene, SupportRange, Viscosity,
+};
 use core::f64::consts::PI;
 
 /// A cell is a little larger than the support, so that rounding never parts two neighbours by two cells.
@@ -34,6 +36,41 @@ pub fn support_radius(scene: &Scene) -> f64 {
     match scene.dimension {
         Dimension::Two => spacing * libm::sqrt(n / PI),
         Dimension::Three => spacing * libm::cbrt(n * 3.0 / (4.0 * PI)),
+    }
+}
+
+/// Speed of sound of a fluid at rest, m/s: what it names; or `sqrt(7 k / rho0)` by S1's constant k of Tait's equation; or what
+/// the time step allows, where the scene asks for that.
+#[must_use]
+pub fn speed_of_sound(scene: &Scene, fluid: &Fluid) -> f64 {
+    if let Some(stiffness) = fluid.stiffness {
+        return libm::sqrt(7.0 * f64::from(stiffness) / f64::from(fluid.rest_density));
+    }
+    let own = f64::from(fluid.speed_of_sound);
+    let Some(courant) = scene.stiffness_for_time_step else { return own };
+    let fastest = scene.fluids().map(|fluid| f64::from(fluid.speed_of_sound)).fold(0.0, f64::max);
+    own / fastest * f64::from(courant) * support_radius(scene) / f64::from(scene.time_step)
+}
+
+/// Largest kinematic viscosity of a scene, m2/s. Of the artificial viscosity that of Monaghan 1992, `alpha h c / (2 (d + 2))`
+/// with the support for h; exchanges, which take no time step, have none.
+#[must_use]
+pub fn kinematic_viscosity(scene: &Scene) -> f64 {
+    let of = |viscosity: f32, fluid: u32| f64::from(viscosity) / f64::from(scene.fluid_of(fluid).rest_density);
+    let largest = |all: &mut dyn Iterator<Item = f64>| all.fold(0.0, f64::max);
+    match scene.model.viscosity {
+        Viscosity::Exchange => 0.0,
+        Viscosity::Artificial => {
+            let sound = largest(&mut scene.fluids().map(|fluid| speed_of_sound(scene, fluid)));
+            let directions = 2.0 * (scene.dimension.count() as f64 + 2.0);
+            f64::from(scene.fluid.alpha) * support_radius(scene) * sound / directions
+        }
+        _ => {
+            let fluids = (0..).zip(scene.fluids()).map(|(number, fluid)| of(fluid.dynamic_viscosity, number));
+            let blocks = scene.blocks.iter().filter_map(|b| b.dynamic_viscosity.map(|mu| of(mu, b.fluid)));
+            let walls = scene.walls.iter().filter_map(|w| w.dynamic_viscosity.map(|mu| of(mu, w.fluid)));
+            largest(&mut fluids.chain(blocks).chain(walls))
+        }
     }
 }
 
@@ -128,6 +165,8 @@ pub fn parameters(scene: &Scene) -> Parameters {
     let wind = scene.wind.map_or([0.0; 4], |w| [w.velocity[0], w.velocity[1], w.velocity[2], w.drag]);
     let field = scene.field.map_or([0.0; 4], |f| [f.low[0], f.low[1], f.low[2], 1.0 / f.spacing]);
     let (planes, plane_count) = planes(scene);
+    let adaptive = scene.adaptive.unwrap_or_default();
+    let reaches = Reaches::of(scene, &adaptive);
     let Axes { cells, inverse_cell, domain_low, period, half_period, inverse_period } = axes(scene);
     Parameters {
         cells,
@@ -171,7 +210,7 @@ pub fn parameters(scene: &Scene) -> Parameters {
         surface_threshold: (f64::from(model.surface_threshold) / support) as f32,
         surface_directions: d as f32 - 1.0,
         yield_strain: plasticity.map_or(0.0, |plasticity| plasticity.yield_strain),
-        plastic_share: plasticity.map_or(0.0, |plasticity| plasticity.rate * scene.time_step),
+        plastic_rate: plasticity.map_or(0.0, |plasticity| plasticity.rate),
         breaking_stretch: elasticity.break_at.map_or(f32::MAX, |stretch| 1.0 + stretch),
         correction_source: CORRECTION_SOURCE,
         tolerance: model.correction.tolerance,
@@ -191,7 +230,48 @@ pub fn parameters(scene: &Scene) -> Parameters {
         air_heat: air.map_or(0.0, |air| scene.fluid_of(air.fluid).thermal_energy),
         air_fluid: air.map_or(0.0, |air| air.fluid as f32),
         first_air: first_air(scene, scene.particle_count()),
+        speed_reach: reaches.speed,
+        acceleration_reach: reaches.acceleration,
+        sound_reach: reaches.sound,
+        viscous_time_step: reaches.viscosity,
+        smallest_time_step: adaptive.smallest,
+        largest_time_step: adaptive.largest,
+        time_step_growth: adaptive.growth,
+        redo_above: adaptive.redo_above.unwrap_or(0.0),
         pad0: 0,
+    }
+}
+
+/// How far what limits a time step may come in one.
+struct Reaches {
+    /// m.
+    speed: f32,
+    /// m.
+    acceleration: f32,
+    /// m.
+    sound: f32,
+    /// What viscosity allows, s.
+    viscosity: f32,
+}
+
+impl Reaches {
+    /// So far, and such a time, that nothing is limited.
+    const NO_LIMIT: f64 = 1e30;
+
+    fn of(scene: &Scene, adaptive: &Adaptive) -> Reaches {
+        let support = support_radius(scene);
+        let reach = |share: Option<f64>| share.map_or(Reaches::NO_LIMIT, |share| share * support) as f32;
+        // sound that is iterated for limits nothing
+        let iterated = scene.model.equation_of_state == EquationOfState::PressureCorrection;
+        let viscosity = kinematic_viscosity(scene);
+        let by_viscosity = adaptive.viscosity.filter(|_| viscosity > 0.0);
+        let step = by_viscosity.map_or(Reaches::NO_LIMIT, |courant| f64::from(courant) * support * support / viscosity);
+        Reaches {
+            speed: reach(adaptive.speed.map(f64::from)),
+            acceleration: reach(adaptive.acceleration.map(|courant| power(f64::from(courant), 2))),
+            sound: reach(adaptive.sound.filter(|_| !iterated).map(f64::from)),
+            viscosity: step.min(Reaches::NO_LIMIT) as f32,
+        }
     }
 }
 

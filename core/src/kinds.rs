@@ -1,5 +1,5 @@
 //! What each kind of particle has of its own: a row for each fluid, for each block of another viscosity, for each wall.
-use crate::guided::{CORRECTION_SOURCE, particle_mass, power, support_radius};
+use crate::guided::{CORRECTION_SOURCE, particle_mass, power, speed_of_sound, support_radius};
 use crate::kernel::near_slope_constant;
 use crate::lattice_sums::gradient_squares;
 use crate::layout::{Kinds, SPECIES, f32x4};
@@ -9,10 +9,6 @@ use crate::scene::{
 
 /// Near stiffness over c0^2 where a scene does not name it. Our choice: see the errata of S0 section 3.1.
 const DEFAULT_NEAR_SHARE: f64 = 0.1;
-
-/// Share of the change that would mend a lone particle's density which an iteration of pressure makes: Jacobi's method,
-/// with the half that keeps it from overshooting where all particles change at once.
-const RELAXATION: f64 = 0.5;
 
 /// Written for the viscosity of a wall that takes the particle's.
 const VISCOSITY_OF_PARTICLE: f32 = -1.0;
@@ -30,7 +26,7 @@ pub fn near_stiffness(scene: &Scene, fluid: &Fluid) -> f64 {
     if scene.model.near_pressure == NearPressure::Off {
         return 0.0;
     }
-    let c0 = f64::from(fluid.speed_of_sound);
+    let c0 = speed_of_sound(scene, fluid);
     fluid.near_stiffness.map_or(DEFAULT_NEAR_SHARE * c0 * c0, f64::from)
 }
 
@@ -39,8 +35,8 @@ pub fn near_stiffness(scene: &Scene, fluid: &Fluid) -> f64 {
 pub(crate) const NOT_THERE: f32 = 2.0;
 
 /// `rho0 c0^2`, Pa.
-fn bulk(fluid: &Fluid) -> f64 {
-    let c0 = f64::from(fluid.speed_of_sound);
+fn bulk(scene: &Scene, fluid: &Fluid) -> f64 {
+    let c0 = speed_of_sound(scene, fluid);
     f64::from(fluid.rest_density) * c0 * c0
 }
 
@@ -53,24 +49,26 @@ fn equation(scene: &Scene, fluid: &Fluid) -> EquationOfState {
 #[must_use]
 pub fn state_stiffness(scene: &Scene, fluid: &Fluid) -> f64 {
     match equation(scene, fluid) {
-        EquationOfState::Tait => fluid.stiffness.map_or(bulk(fluid) / 7.0, f64::from),
-        _ => bulk(fluid),
+        EquationOfState::Tait => fluid.stiffness.map_or(bulk(scene, fluid) / 7.0, f64::from),
+        _ => bulk(scene, fluid),
     }
 }
 
-/// What an iteration of pressure adds for a density that is off by all of itself, Pa.
+/// What makes an iteration of pressure: how much a pascal thins the density around it in a step, over the step's square, in
+/// 1/(Pa s2), and what is added to that, in 1/Pa.
 ///
 /// A pressure at `a` accelerates its neighbours by `m P / rho^2 grad W`, which within a step thins the density at `a` by
-/// `dt^2 V^2 / rho0 sum |grad W|^2` of itself for each pascal.
-#[must_use]
-pub fn correction_stiffness(scene: &Scene, fluid: &Fluid) -> f64 {
-    let bulk = bulk(fluid);
-    if scene.model.correction.iteration == Iteration::Literal {
-        return bulk;
+/// `dt^2 V^2 / rho0 sum |grad W|^2` of itself for each pascal. By the letter the full stiffness is taken, `1 / (rho0 c0^2)` being
+/// twice what is added.
+fn thinning(scene: &Scene, fluid: &Fluid) -> [f64; 2] {
+    let compressibility = 1.0 / bulk(scene, fluid);
+    match scene.model.correction.iteration {
+        Iteration::Literal => [0.0, 0.5 * compressibility],
+        Iteration::Relaxed => {
+            let source = f64::from(CORRECTION_SOURCE) * compressibility;
+            [gradient_squares(scene) / f64::from(fluid.rest_density), source]
+        }
     }
-    let dt = f64::from(scene.time_step);
-    let thinning = dt * dt / f64::from(fluid.rest_density) * gradient_squares(scene);
-    RELAXATION / (thinning + f64::from(CORRECTION_SOURCE) / bulk)
 }
 
 /// A row for each kind, of its fluid; those that a scene has no use for are of its first.
@@ -123,7 +121,7 @@ pub(crate) fn states(scene: &Scene) -> Kinds {
                 _ => f64::from(fluid.rest_density),
             };
         let number = equation(scene, fluid) as u32 as f32;
-        [state_stiffness(scene, fluid) as f32, near as f32, fluid.speed_of_sound, number]
+        [state_stiffness(scene, fluid) as f32, near as f32, speed_of_sound(scene, fluid) as f32, number]
     })
 }
 
@@ -132,8 +130,8 @@ pub(crate) fn corrections(scene: &Scene) -> Kinds {
     // sums over the lattice are only for who needs them; 1 is a number that nobody uses
     let corrects = scene.model.equation_of_state == EquationOfState::PressureCorrection;
     rows(scene, |fluid| {
-        let stiffness = if corrects { correction_stiffness(scene, fluid) } else { 1.0 };
-        let compressibility = (1.0 / bulk(fluid)) as f32;
-        [stiffness as f32, (1.0 / stiffness) as f32, compressibility, fluid.surface_tension]
+        let [thinning, offset] = if corrects { thinning(scene, fluid) } else { [0.0, 1.0] };
+        let compressibility = (1.0 / bulk(scene, fluid)) as f32;
+        [thinning as f32, offset as f32, compressibility, fluid.surface_tension]
     })
 }

@@ -16,6 +16,7 @@
 #![deny(unsafe_code)]
 
 pub mod arithmetic;
+mod clock;
 pub mod error;
 pub mod executor;
 pub mod grid;
@@ -41,14 +42,17 @@ pub mod terms;
 pub use heapless;
 
 pub use arithmetic::level::Simd;
+pub use clock::TimeReport;
 pub use error::{SceneError, StepError};
 pub use executor::{Executor, Serial};
 pub use memory::{Memory, Needs};
 pub use particle::Particle;
-pub use passes::p22_commit::verdict;
+pub use passes::p24_commit::verdict;
 pub use plan::Plan;
 pub use report::AirReport;
 pub use solver::{CorrectionReport, Solver};
 pub use springs::Spring;
 pub use step::Pass;
-pub use storage::{AirStorage, CellPlaces, Extras, FieldStorage, SpringStorage, Storage, SurfaceStorage, TableStorage};
+pub use storage::{
+    AirStorage, CellPlaces, Extras, FieldStorage, SpringStorage, Storage, SurfaceStorage, TableStorage, TimeStorage,
+};

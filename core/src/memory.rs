@@ -25,6 +25,9 @@ pub struct State<'m> {
     /// Inward normal of the surface of a particle's fluid, 1/m; w: the surface's curvature by the Laplacian of the colour, 1/m,
     /// where tension takes that. Only where normals are found.
     pub normal: &'m mut [f32x4],
+    /// What the integrator remembers of the steps before: the last displacement, m, or the acceleration before, m/s2; w unused.
+    /// Only with integrators that do.
+    pub history: &'m mut [f32x4],
     /// Which particle stands in a slot.
     pub id: &'m mut [u32],
 }
@@ -53,6 +56,11 @@ pub struct Scratch<'m> {
     pub previous: &'m mut [f32x4],
     /// Acceleration but for pressure, m/s2; w unused. Only where pressure is iterated.
     pub free: &'m mut [f32x4],
+    /// Accelerations at the beginning of the step, in the slots after it, m/s2; w unused. Only with integrators that need them
+    /// at its end.
+    pub earlier: &'m mut [f32x4],
+    /// Velocities at the end of the step, m/s; w: kind. Only where pairs need them before.
+    pub ahead: &'m mut [f32x4],
     /// Slot of each particle in the step that is tried, by id. Only with springs or air.
     pub slot_of: &'m mut [u32],
     /// Gradient of the colour of all that is there, 1/m; w: 1 where a particle of liquid is bare, else 0. Only with air.
@@ -105,6 +113,12 @@ pub struct Needs {
     pub previous: bool,
     /// Accelerations but for pressure.
     pub free: bool,
+    /// What an integrator remembers.
+    pub history: bool,
+    /// Accelerations at the beginning of a step.
+    pub earlier: bool,
+    /// Velocities at the end of a step.
+    pub ahead: bool,
     /// Normals of surfaces.
     pub normals: bool,
     /// Springs.
@@ -134,7 +148,7 @@ impl Needs {
 
     /// The arrays, with their bytes.
     #[must_use]
-    pub fn arrays(&self) -> [(&'static str, usize); 24] {
+    pub fn arrays(&self) -> [(&'static str, usize); 27] {
         let Needs { particles, cells, places, .. } = *self;
         let vector = size_of::<f32x4>();
         let (vectors, words) = (2 * particles * vector, particles * size_of::<u32>());
@@ -156,6 +170,9 @@ impl Needs {
             ("grid_cells", places * size_of::<u32>()),
             ("previous", self.if_needed(self.previous) * vector),
             ("free", self.if_needed(self.free) * vector),
+            ("history", 2 * self.if_needed(self.history) * vector),
+            ("earlier", self.if_needed(self.earlier) * vector),
+            ("ahead", self.if_needed(self.ahead) * vector),
             ("normal", 2 * self.if_needed(self.normals) * vector),
             ("springs", self.if_needed(self.springs) * size_of::<u32x4>()),
             ("spring ends", (self.spring_ends + self.other_ends()) * size_of::<u32x2>()),
@@ -199,6 +216,8 @@ impl<'m> Memory<'m> {
                 grid_cells: cut("places of cells", s.grid_cells, places)?,
                 previous: cut("extras for previous densities", s.previous, needs.if_needed(needs.previous))?,
                 free: cut("extras for free accelerations", s.free, needs.if_needed(needs.free))?,
+                earlier: cut("extras for earlier accelerations", s.earlier, needs.if_needed(needs.earlier))?,
+                ahead: cut("extras for velocities ahead", s.ahead, needs.if_needed(needs.ahead))?,
                 slot_of: cut("particles with springs or air", s.slot_of, needs.if_needed(needs.springs || needs.air))?,
                 bare: cut("particles with air", s.bare, needs.if_needed(needs.air))?,
                 birth: cut("particles with air", s.birth, needs.if_needed(needs.air))?,
@@ -227,6 +246,7 @@ impl<'m> State<'m> {
             smoothing: cut("extras for XSPH", self.smoothing, needs.if_needed(needs.smoothing))?,
             heat: cut("extras for thermal energy", self.heat, needs.if_needed(needs.heat))?,
             normal: cut("normals", self.normal, needs.if_needed(needs.normals))?,
+            history: cut("extras for an integrator's history", self.history, needs.if_needed(needs.history))?,
             id: cut("particles", self.id, particles)?,
         })
     }

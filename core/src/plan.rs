@@ -9,7 +9,7 @@ use crate::scene::{
     Scene, SurfaceTension, Viscosity,
 };
 use crate::step::Pass;
-use crate::terms::{near, tension, viscosity, wall};
+use crate::terms::{integrate, near, tension, viscosity, wall};
 use heapless::Vec;
 
 /// What a step of a scene consists of.
@@ -127,6 +127,9 @@ impl Plan {
                 thermal_energy: 1,
                 xsph: 1,
                 layers: u32::from(scene.dimension == Dimension::Three),
+                integrator: choice.integrator as u32,
+                reevaluates: u32::from(choice.reevaluate),
+                adaptive: u32::from(scene.adaptive.is_some()),
                 cell_places: match scene.grid.structure {
                     GridStructure::IndexSort => 0,
                     GridStructure::CellLists { places } => places,
@@ -144,7 +147,9 @@ impl Plan {
             Pass::Place => m.cell_places == 0,
             Pass::Support => m.variable_support == 1,
             Pass::Normals => m.normals == 1 || m.air == 1,
+            Pass::Foresee => m.foresees(),
             Pass::Coat | Pass::Air => m.air == 1,
+            Pass::IntegrateAfter => m.integrates_after(),
             Pass::Tension => m.has_curvature(),
             Pass::Springs => m.springs == 1,
             Pass::PressureForce | Pass::PressureCorrect | Pass::PressureSettle => m.corrects_pressure(),
@@ -183,8 +188,8 @@ impl Plan {
         let corrects = m.corrects_pressure();
         match pass {
             Pass::IntegrateBefore => {
-                add(&["kick", "drift"], true);
-                add(&["xsph"], m.xsph == 1);
+                add(&choice.integrator.terms()[..1], true);
+                add(&["drift"], m.xsph == 1);
                 add(&["wrap"], m.periodic == 1);
             }
             Pass::Support => add(&["support_close"], true),
@@ -230,10 +235,13 @@ impl Plan {
             Pass::Coat => add(&["is_bare", "place_of_birth", "is_taken"], true),
             Pass::Air => add(&["is_thin", "place_of_birth"], true),
             Pass::Heat => add(&["heat_neighbour"], true),
+            Pass::Foresee => add(&["velocity_after"], true),
             Pass::IntegrateAfter => {
-                add(&["kick"], true);
+                add(&choice.integrator.terms()[choice.integrator.terms().len().min(1)..], true);
                 add(&["penalty_walls"], m.walls == 1);
             }
+            Pass::Look => add(&["bounded_square", "bounded_sound"], m.adaptive == 1),
+            Pass::Commit => add(&["step_wanted", "step_limited", "clock_after"], m.adaptive == 1),
             Pass::Smooth => add(&["xsph_neighbour"], true),
             _ => {}
         }
@@ -273,6 +281,9 @@ impl Plan {
             (m.species == 0, "kinds of particle", "there is one fluid and no wall of particles"),
             (m.thermal_energy == 0, "thermal energy", "model.thermal_energy is off"),
             (m.xsph == 0, "XSPH", "fluid.xsph is 0"),
+            (!integrate::has_history(m), "history of the integrator", "model.integrator remembers nothing"),
+            (m.reevaluates == 0, "a second evaluation of forces", "model.reevaluate is off"),
+            (m.adaptive == 0, "a time step that changes", "adaptive is not set"),
             (!m.reads_tables(), "kernel tables", "model.evaluation is Direct"),
             (
                 choice.equation_of_state != EquationOfState::PressureCorrection,
@@ -326,6 +337,9 @@ impl Needs {
             spring_ends: if m.springs == 1 { scene.spring_ends() } else { 0 },
             plastic: m.plastic == 1,
             air: m.air == 1,
+            history: integrate::has_history(m),
+            earlier: integrate::needs_earlier(m),
+            ahead: m.foresees(),
             tables: m.reads_tables(),
             nodes: scene.field_counts()[3] as usize,
         }

@@ -1,17 +1,21 @@
 //! The public face: a scene in lent memory, stepped.
 use crate::arithmetic::level::Simd;
+use crate::arithmetic::real::vec3;
+use crate::clock::{Clock, TimeReport};
 use crate::error::{SceneError, StepError};
 use crate::executor::{Executor, Serial};
 use crate::guided::{first_air, parameters};
 use crate::hash::state_hash;
-use crate::layout::{Parameters, f32x4, u32x2, u32x4};
+use crate::layout::{Model, Parameters, Status, f32x4, u32x2, u32x4};
 use crate::memory::{Memory, Needs, State};
 use crate::passes::Setup;
+use crate::passes::p23_look::Seen;
 use crate::plan::Plan;
 use crate::scene::{Dimension, Kind, Place, Scene, check_count, kind_of, places};
 use crate::springs::join;
 use crate::step::{self, Pass, Settled, SpringEnds};
 use crate::tables::fill_tables;
+use crate::terms::integrate::{MODIFIED_VELOCITY_VERLET, has_history, history_turned, is_beeman};
 
 /// A fluid that can be stepped.
 ///
@@ -39,7 +43,10 @@ use crate::tables::fill_tables;
 pub struct Solver<'m> {
     plan: Plan,
     parameters: Parameters,
+    /// The scene's time step, s.
+    first_step: f32,
     simd: Simd,
+    clock: Clock,
     steps: u64,
     settled: Settled,
     total_iterations: u64,
@@ -95,7 +102,9 @@ impl<'m> Solver<'m> {
         let mut solver = Solver {
             plan,
             parameters,
+            first_step: scene.time_step,
             simd,
+            clock: Clock::default(),
             steps: 0,
             settled,
             total_iterations: 0,
@@ -106,11 +115,47 @@ impl<'m> Solver<'m> {
         fill_tables(&scene.model, scene.dimension.count(), solver.memory.tables);
         solver.memory.field.fill([0.0; 4]);
         solver.fill(scene, places)?;
-        // with time standing still a step evaluates the first accelerations and sorts the particles
-        solver.advance(&Serial, &parameters.at_rest(), &mut |_| ())?;
+        solver.begin(&parameters)?;
         // no spring pulls at the start, so that it does not matter that they are made last
         join(&mut solver, scene)?;
         Ok(solver)
+    }
+
+    /// Evaluates the first accelerations, sorts the particles, and finds the first time step and the integrator's history.
+    fn begin(&mut self, parameters: &Parameters) -> Result<(), StepError> {
+        let at_rest = self.plan.model.at_rest();
+        // with time standing still a step does nothing else
+        let (_, seen) = self.attempt(&Serial, &at_rest, &parameters.at_rest(), &mut |_| ())?;
+        self.take();
+        self.parameters = *parameters;
+        self.clock = Clock::start(&self.plan.model, &mut self.parameters, seen);
+        self.remember()
+    }
+
+    /// What the integrator would remember of the steps before the first one.
+    ///
+    /// Verlet's displacement follows from velocity and acceleration. Beeman's takes the acceleration where the particles were a
+    /// step before, which an attempt at a step back in time finds, off by dt^2 (dt where forces depend on velocity): so no order is
+    /// lost, of which Beeman's own start, `a_{-1} = a_0`, loses one where velocities are not 0.
+    fn remember(&mut self) -> Result<(), StepError> {
+        let (m, p) = (self.plan.model, self.parameters);
+        if is_beeman(&m) {
+            let back = Model { integrator: MODIFIED_VELOCITY_VERLET, ..m.at_rest() };
+            self.attempt(&Serial, &back, &p.backwards(), &mut |_| ())?;
+            let [a, b] = &mut self.memory.states;
+            let (now, before) = if self.current == 0 { (a, b) } else { (b, a) };
+            for (slot, &id) in before.id.iter().enumerate() {
+                now.history[self.memory.slot[id as usize] as usize] = before.acceleration[slot];
+            }
+        } else if has_history(&m) {
+            let now = &mut self.memory.states[self.current];
+            for (slot, history) in now.history.iter_mut().enumerate() {
+                let (v, a) = (vec3::<f32>::splat(now.velocity[slot]), vec3::<f32>::splat(now.acceleration[slot]));
+                let vec3 { x, y, z } = history_turned(&m, &p, v, a, v);
+                *history = [x, y, z, 0.0];
+            }
+        }
+        Ok(())
     }
 
     /// Writes the particles into the current state.
@@ -189,13 +234,22 @@ impl<'m> Solver<'m> {
     /// # Errors
     /// As for [`Solver::step`].
     pub fn step_observed(&mut self, executor: &impl Executor, begins: &mut dyn FnMut(Pass)) -> Result<(), StepError> {
-        let parameters = self.parameters;
-        let settled = self.advance(executor, &parameters, begins)?;
-        self.steps += 1;
-        self.settled = settled;
-        self.total_iterations += u64::from(settled.iterations);
-        self.air_refused += u64::from(settled.refused);
-        Ok(())
+        let model = self.plan.model;
+        let (mut parameters, mut clock) = (self.parameters, self.clock);
+        loop {
+            let (settled, seen) = self.attempt(executor, &model, &parameters, begins)?;
+            if !clock.after(&model, &mut parameters, seen) {
+                // the state that was tried is left where it is, and another one is tried
+                continue;
+            }
+            self.take();
+            (self.parameters, self.clock) = (parameters, clock);
+            self.steps += 1;
+            self.settled = settled;
+            self.total_iterations += u64::from(settled.iterations);
+            self.air_refused += u64::from(settled.refused);
+            return Ok(());
+        }
     }
 
     /// The host's field from now on, one acceleration a node of [`Scene::field`], x fastest, m/s2; the fourth numbers are
@@ -214,36 +268,40 @@ impl<'m> Solver<'m> {
         }
         self.memory.field.copy_from_slice(nodes);
         if self.steps == 0 && needed > 0 {
-            // the first half kick is made by the accelerations at the start
-            let at_rest = self.parameters.at_rest();
-            self.advance(&Serial, &at_rest, &mut |_| ())?;
+            // the first step begins with the accelerations at the start
+            let parameters = Parameters { time_step: self.first_step, ..self.parameters };
+            self.begin(&parameters)?;
         }
         Ok(())
     }
 
-    fn advance(
+    /// Tries a step, in the state that is not the fluid.
+    fn attempt(
         &mut self,
         executor: &impl Executor,
+        model: &Model,
         parameters: &Parameters,
         begins: &mut dyn FnMut(Pass),
-    ) -> Result<Settled, StepError> {
-        let Memory { states: [a, b], slot: slots, scratch, springs, tables, field } = &mut self.memory;
+    ) -> Result<(Settled, Seen), StepError> {
+        let Memory { states: [a, b], slot: _, scratch, springs, tables, field } = &mut self.memory;
         let [ends, other_ends] = &mut springs.ends;
         // where lengths at rest change, they trade places as the states do
         let (old_ends, new_ends): (&[_], &mut [_]) =
             if self.plan.model.plastic == 1 && self.current == 1 { (other_ends, ends) } else { (ends, other_ends) };
         let springs = SpringEnds { of: springs.of, old: old_ends, new: new_ends };
-        let setup = Setup { model: &self.plan.model, parameters, tables, field, simd: self.simd };
+        let setup = Setup { model, parameters, tables, field, simd: self.simd };
         let (old, new) = if self.current == 0 { (&*a, b) } else { (&*b, a) };
-        // time that stands still has no next density to aim at
+        // time that stands still, or runs back, has no next density to aim at
         let iterations = if parameters.time_step > 0.0 { self.plan.iterations() } else { 0 };
-        let attempt = (self.steps as u32, iterations);
-        let settled = step::run(setup, executor, begins, attempt, old, new, (scratch, springs))?;
-        for (slot, &id) in new.id.iter().enumerate() {
-            slots[id as usize] = slot as u32;
-        }
+        step::run(setup, executor, begins, (self.steps as u32, iterations), old, new, (scratch, springs))
+    }
+
+    /// Makes the state that was tried the fluid.
+    fn take(&mut self) {
         self.current = 1 - self.current;
-        Ok(settled)
+        for (slot, &id) in self.memory.states[self.current].id.iter().enumerate() {
+            self.memory.slot[id as usize] = slot as u32;
+        }
     }
 
     /// The fluid as it lies in memory, sorted by the cells that its particles had before walls moved them.
@@ -310,7 +368,22 @@ impl<'m> Solver<'m> {
     /// Simulated time, s.
     #[must_use]
     pub fn time(&self) -> f64 {
+        if self.plan.model.adaptive == 1 {
+            return self.clock.report(&self.parameters).time;
+        }
+        // exact, where a clock that adds steps up is not
         self.steps as f64 * f64::from(self.parameters.time_step)
+    }
+
+    /// What became of the time step.
+    #[must_use]
+    pub fn time_report(&self) -> TimeReport {
+        TimeReport { time: self.time(), ..self.clock.report(&self.parameters) }
+    }
+
+    /// Writes what a device's clock goes on from.
+    pub fn fill_status(&self, status: &mut Status) {
+        self.clock.fill(&self.parameters, status);
     }
 
     /// What a step consists of.

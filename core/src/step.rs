@@ -2,7 +2,7 @@
 use crate::error::StepError;
 use crate::executor::Executor;
 use crate::grid::Cells;
-use crate::layout::{NONE, Status, u32x2, u32x4};
+use crate::layout::{NONE, Status, f32x4, u32x2, u32x4};
 use crate::memory::{Scratch, State};
 use crate::passes::local::Particles;
 use crate::passes::p10_force::Force;
@@ -11,14 +11,16 @@ use crate::passes::p12_tension::Tension;
 use crate::passes::p13_springs::{self, Sprung};
 use crate::passes::p14_pressure_force::PressureForce;
 use crate::passes::p15_pressure_correct::PressureCorrect;
-use crate::passes::p17_heat::Heat;
-use crate::passes::p18_smooth::Smooth;
-use crate::passes::p19_coat::{self, Coated};
+use crate::passes::p18_heat::Heat;
+use crate::passes::p19_smooth::Smooth;
+use crate::passes::p20_coat::{self, Coated};
+use crate::passes::p23_look::Seen;
 use crate::passes::pairs::{self, Lists};
 use crate::passes::{
     Setup, p01_integrate_before, p02_count, p03_cell_lists, p04_scan, p05_place, p06_order, p07_gather, p08_support,
-    p09_density, p16_pressure_settle, p20_integrate_after, p21_air, p22_commit,
+    p09_density, p16_pressure_settle, p17_foresee, p21_integrate_after, p22_air, p23_look, p24_commit,
 };
+use crate::terms::integrate::{has_history, needs_earlier};
 
 /// Declares the passes once: name, what it does, name of its file.
 macro_rules! passes {
@@ -41,7 +43,7 @@ macro_rules! passes {
 }
 
 passes! {
-    /// Half kick, drift.
+    /// To where the forces are evaluated.
     IntegrateBefore = "p01_integrate_before",
     /// Cell of each particle, particles of each cell.
     Count = "p02_count",
@@ -73,18 +75,22 @@ passes! {
     PressureCorrect = "p15_pressure_correct",
     /// Whether that will do.
     PressureSettle = "p16_pressure_settle",
+    /// Velocities at the end of the step (where pairs need them).
+    Foresee = "p17_foresee",
     /// Thermal energy (where it is kept account of).
-    Heat = "p17_heat",
+    Heat = "p18_heat",
     /// Velocities to move with (XSPH).
-    Smooth = "p18_smooth",
+    Smooth = "p19_smooth",
     /// Where air is to be made (with air).
-    Coat = "p19_coat",
-    /// Half kick, penalty walls, a look for what is not finite.
-    IntegrateAfter = "p20_integrate_after",
+    Coat = "p20_coat",
+    /// Velocities and places at the end of the step, penalty walls.
+    IntegrateAfter = "p21_integrate_after",
     /// Air is made, and vanishes (with air).
-    Air = "p21_air",
+    Air = "p22_air",
+    /// Is all finite? And what the next time step follows from.
+    Look = "p23_look",
     /// The step counts, or says why not.
-    Commit = "p22_commit",
+    Commit = "p24_commit",
 }
 
 /// What a step came to, of corrected pressure and of air.
@@ -115,7 +121,7 @@ pub(crate) fn run(
     old: &State<'_>,
     new: &mut State<'_>,
     (s, springs): (&mut Scratch<'_>, SpringEnds<'_>),
-) -> Result<Settled, StepError> {
+) -> Result<(Settled, Seen), StepError> {
     let (m, p) = (setup.model, setup.parameters);
     let places = m.cell_places;
     let fine = Status::fine(steps);
@@ -128,11 +134,12 @@ pub(crate) fn run(
         Particles { position: new.position, velocity: new.velocity, density_pressure: &[], previous: s.previous };
     p09_density::run(setup, executor, sorted, unknown, new.density_pressure, s.block, s.list);
     let lists = Lists { sorted, block: s.block, list: s.list };
-    begins(Pass::Force);
     let mut settled = Settled::default();
     let known = Particles { density_pressure: new.density_pressure, ..unknown };
+    let sprung = Sprung { position: new.position, id: new.id, slot_of: s.slot_of, of: springs.of, ends: springs.old };
     // what pressure is added to later stands by itself
     let driven = if m.corrects_pressure() { &mut *s.free } else { &mut *new.acceleration };
+    begins(Pass::Force);
     pairs::run(setup, executor, known, lists, &Force, driven);
     if m.normals == 1 || m.air == 1 {
         begins(Pass::Normals);
@@ -143,18 +150,9 @@ pub(crate) fn run(
     if m.air == 1 {
         pairs::run(setup, executor, known, lists, &Bare, s.bare);
     }
-    if m.has_curvature() {
-        begins(Pass::Tension);
-        pairs::run(setup, executor, known, lists, &Tension { normal: new.normal }, driven);
-    }
-    if m.springs == 1 {
-        begins(Pass::Springs);
-        let SpringEnds { of, old: ends, new: new_ends } = springs;
-        let sprung = Sprung { position: new.position, id: new.id, slot_of: s.slot_of, of, ends };
-        p13_springs::run(setup, executor, sprung, driven);
-        if m.plastic == 1 {
-            p13_springs::give_way(setup, executor, sprung, new_ends);
-        }
+    pull(setup, executor, begins, known, lists, (new.normal, sprung), driven);
+    if m.plastic == 1 {
+        p13_springs::give_way(setup, executor, sprung, springs.new);
     }
     if m.corrects_pressure() {
         for _ in 0..iterations {
@@ -175,32 +173,68 @@ pub(crate) fn run(
         pairs::run(setup, executor, known, lists, &PressureForce { free: s.free }, new.acceleration);
     }
 
+    let earlier = if needs_earlier(m) { &*s.earlier } else { &[] };
+    if m.foresees() {
+        begins(Pass::Foresee);
+        p17_foresee::run(setup, executor, new, earlier, s.ahead);
+    }
     let known = Particles { density_pressure: new.density_pressure, ..unknown };
     if m.thermal_energy == 1 {
         begins(Pass::Heat);
-        pairs::run(setup, executor, known, lists, &Heat { acceleration: new.acceleration }, new.heat);
+        pairs::run(setup, executor, known, lists, &Heat { ahead: s.ahead }, new.heat);
     }
     if m.xsph == 1 {
         begins(Pass::Smooth);
-        pairs::run(setup, executor, known, lists, &Smooth { acceleration: new.acceleration }, new.smoothing);
+        pairs::run(setup, executor, known, lists, &Smooth { ahead: s.ahead }, new.smoothing);
+    }
+    if m.reevaluates == 1 {
+        begins(Pass::Force);
+        let known = Particles { velocity: s.ahead, ..known };
+        pairs::run(setup, executor, known, lists, &Force, new.acceleration);
+        pull(setup, executor, begins, known, lists, (new.normal, sprung), new.acceleration);
     }
     // while time stands still nothing is made
     let makes_air = m.air == 1 && p.time_step > 0.0;
     if makes_air {
         begins(Pass::Coat);
         let coated = Coated { sorted, position: new.position, bare: s.bare, id: new.id };
-        p19_coat::run(setup, executor, coated, s.birth);
+        p20_coat::run(setup, executor, coated, s.birth);
     }
-    begins(Pass::IntegrateAfter);
-    let not_finite = p20_integrate_after::run(setup, executor, new);
+    if m.integrates_after() {
+        begins(Pass::IntegrateAfter);
+        let ahead = if m.foresees() { &*s.ahead } else { &[] };
+        p21_integrate_after::run(setup, executor, new, earlier, ahead);
+    }
     if makes_air {
         begins(Pass::Air);
-        settled.refused = p21_air::run(setup, new, (s.bare, s.birth), s.slot_of).refused;
+        settled.refused = p22_air::run(setup, new, (s.bare, s.birth), s.slot_of).refused;
     }
+    begins(Pass::Look);
+    let seen = p23_look::run(setup, executor, new);
 
     begins(Pass::Commit);
-    p22_commit::verdict(&Status { not_finite, ..fine }, places)?;
-    Ok(settled)
+    p24_commit::verdict(&Status { not_finite: seen.not_finite, ..fine }, places)?;
+    Ok((settled, seen))
+}
+
+/// Adds what has a pass of its own to the forces: tension by curvature, springs.
+fn pull(
+    setup: Setup<'_>,
+    executor: &impl Executor,
+    begins: &mut dyn FnMut(Pass),
+    known: Particles<'_>,
+    lists: Lists<'_>,
+    (normal, sprung): (&[f32x4], Sprung<'_>),
+    driven: &mut [f32x4],
+) {
+    if setup.model.has_curvature() {
+        begins(Pass::Tension);
+        pairs::run(setup, executor, known, lists, &Tension { normal }, driven);
+    }
+    if setup.model.springs == 1 {
+        begins(Pass::Springs);
+        p13_springs::run(setup, executor, sprung, driven);
+    }
 }
 
 /// Moves the particles of `old` and puts them into their slots in `new`: all passes before the density.
@@ -221,13 +255,13 @@ fn arrange(
 
     begins(Pass::Count);
     let out_of_range = p02_count::find(setup, executor, [&*waiting_position, &*waiting_velocity], old.id, s.cell);
-    p22_commit::verdict(&Status { out_of_range, ..*fine }, places)?;
+    p24_commit::verdict(&Status { out_of_range, ..*fine }, places)?;
     p02_count::run(s.cell, s.rank, s.counter);
     if places > 0 {
         begins(Pass::CellLists);
         let cell_full = p03_cell_lists::run(s.cell, s.rank, places, s.grid_cells);
         let cell_count = if cell_full == NONE { 0 } else { s.counter[cell_full as usize] };
-        p22_commit::verdict(&Status { cell_full, cell_count, ..*fine }, places)?;
+        p24_commit::verdict(&Status { cell_full, cell_count, ..*fine }, places)?;
     }
     begins(Pass::Scan);
     p04_scan::run(s.counter, s.begin);
@@ -249,6 +283,12 @@ fn arrange(
     }
     if m.thermal_energy == 1 {
         p07_gather::run(executor, s.order, old.heat, new.heat);
+    }
+    if has_history(m) {
+        p07_gather::run(executor, s.order, old.history, new.history);
+    }
+    if needs_earlier(m) {
+        p07_gather::run(executor, s.order, old.acceleration, s.earlier);
     }
     if m.variable_support == 1 {
         begins(Pass::Support);

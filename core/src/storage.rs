@@ -46,6 +46,17 @@ pub struct Extras<const SMOOTHING: usize, const HEAT: usize, const PREVIOUS: usi
     free: [f32x4; FREE],
 }
 
+/// Memory for what only some integrators need, as much of each as [`Needs`](crate::Needs) says.
+///
+/// `HISTORY` entries for what Verlet's and Beeman's remember, `EARLIER` for those whose step ends with the acceleration at its
+/// beginning too, `AHEAD` for thermal energy, XSPH and forces that are evaluated again: the number of particles, or 0.
+#[derive(Debug, bytemuck::Zeroable)]
+pub struct TimeStorage<const HISTORY: usize, const EARLIER: usize, const AHEAD: usize> {
+    history: [[f32x4; HISTORY]; 2],
+    earlier: [f32x4; EARLIER],
+    ahead: [f32x4; AHEAD],
+}
+
 /// Memory for the normals of surfaces, where a scene finds them.
 #[derive(Debug, bytemuck::Zeroable)]
 pub struct SurfaceStorage<const N: usize> {
@@ -113,6 +124,8 @@ impl<const N: usize, const CELLS: usize> Storage<N, CELLS> {
                 grid_cells: &mut [],
                 previous: &mut [],
                 free: &mut [],
+                earlier: &mut [],
+                ahead: &mut [],
                 slot_of: &mut [],
                 bare: &mut [],
                 birth: &mut [],
@@ -143,6 +156,7 @@ impl<'m> State<'m> {
             smoothing: &mut [],
             heat: &mut [],
             normal: &mut [],
+            history: &mut [],
             id,
         }
     }
@@ -168,6 +182,26 @@ impl<'m> Memory<'m> {
         (a.smoothing, b.smoothing) = (smoothing, other_smoothing);
         (a.heat, b.heat) = (heat, other_heat);
         (self.scratch.previous, self.scratch.free) = (&mut extras.previous, &mut extras.free);
+        self
+    }
+
+    /// And what only some integrators need.
+    ///
+    /// ```
+    /// use millpond_core::{Storage, TimeStorage};
+    /// let mut beeman = Box::new(TimeStorage::<4096, 4096, 0>::new());
+    /// let mut storage = Box::new(Storage::<4096, 32768>::new());
+    /// let memory = storage.lend().with_time(&mut beeman);
+    /// ```
+    #[must_use]
+    pub fn with_time<const H: usize, const E: usize, const A: usize>(
+        mut self,
+        time: &'m mut TimeStorage<H, E, A>,
+    ) -> Memory<'m> {
+        let [a, b] = &mut self.states;
+        let [history, other_history] = &mut time.history;
+        (a.history, b.history) = (history, other_history);
+        (self.scratch.earlier, self.scratch.ahead) = (&mut time.earlier, &mut time.ahead);
         self
     }
 
@@ -245,6 +279,11 @@ all_zero!(Extras<S, H, P, F> = Extras {
     heat: [[[0.0; 4]; H]; 2],
     previous: [[0.0; 4]; P],
     free: [[0.0; 4]; F],
+});
+all_zero!(TimeStorage<H, E, A> = TimeStorage {
+    history: [[[0.0; 4]; H]; 2],
+    earlier: [[0.0; 4]; E],
+    ahead: [[0.0; 4]; A],
 });
 all_zero!(SurfaceStorage<N> = SurfaceStorage { normal: [[[0.0; 4]; N]; 2] });
 all_zero!(SpringStorage<N, ENDS, CHANGING> = SpringStorage {

@@ -39,6 +39,8 @@ arrays! {
     OldSmoothing = "old_smoothing": "array<f32x4>",
     /// Old state, with thermal energy.
     OldHeat = "old_heat": "array<f32x4>",
+    /// Old state, with integrators that remember.
+    OldHistory = "old_history": "array<f32x4>",
     /// Old state.
     OldId = "old_id": "array<u32>",
     /// New state.
@@ -55,6 +57,8 @@ arrays! {
     NewHeat = "new_heat": "array<f32x4>",
     /// New state, with normals.
     NewNormal = "new_normal": "array<f32x4>",
+    /// New state, with integrators that remember.
+    NewHistory = "new_history": "array<f32x4>",
     /// New state.
     NewId = "new_id": "array<u32>",
     /// Densities and pressures before the step, where it needs them.
@@ -63,6 +67,10 @@ arrays! {
     Free = "free": "array<f32x4>",
     /// Where the force pass writes: the new accelerations, or those without pressure.
     ForceOut = "force_out": "array<f32x4>",
+    /// Accelerations at the beginning of the step, where its end needs them.
+    Earlier = "earlier": "array<f32x4>",
+    /// Velocities at the end of the step, where pairs need them.
+    Ahead = "ahead": "array<f32x4>",
     /// Slot of each particle, by id; with springs or air.
     SlotOf = "slot_of": "array<u32>",
     /// Gradient of the colour of all that is there, and who is bare; with air.
@@ -120,6 +128,7 @@ pub fn arrays(pass: Pass) -> &'static [(Array, Access)] {
             (OldVelocity, Read),
             (OldAcceleration, Read),
             (OldSmoothing, Read),
+            (OldHistory, Read),
             (NewDensityPressure, Write),
             (NewAcceleration, Write),
         ],
@@ -228,7 +237,7 @@ pub fn arrays(pass: Pass) -> &'static [(Array, Access)] {
             (NewPosition, Read),
             (NewVelocity, Read),
             (NewDensityPressure, Read),
-            (NewAcceleration, Read),
+            (Ahead, Read),
             (Previous, Read),
             (NewHeat, Write),
         ],
@@ -238,7 +247,7 @@ pub fn arrays(pass: Pass) -> &'static [(Array, Access)] {
             (NewPosition, Read),
             (NewVelocity, Read),
             (NewDensityPressure, Read),
-            (NewAcceleration, Read),
+            (Ahead, Read),
             (Previous, Read),
             (NewSmoothing, Write),
         ],
@@ -253,13 +262,31 @@ pub fn arrays(pass: Pass) -> &'static [(Array, Access)] {
             (Birth, Write),
             (SlotOf, Read),
         ],
+        Pass::Foresee => &[
+            (Head, Read),
+            (NewVelocity, Read),
+            (NewAcceleration, Read),
+            (Earlier, Read),
+            (NewHistory, Read),
+            (Ahead, Write),
+        ],
         Pass::IntegrateAfter => &[
-            (Head, Atomic),
+            (Head, Read),
             (NewPosition, Write),
             (NewVelocity, Write),
             (NewAcceleration, Read),
+            (Earlier, Read),
+            (Ahead, Read),
+            (NewHistory, Write),
+        ],
+        Pass::Look => &[
+            (Head, Atomic),
+            (NewPosition, Read),
+            (NewVelocity, Read),
+            (NewAcceleration, Read),
             (NewDensityPressure, Read),
             (NewHeat, Read),
+            (NewHistory, Read),
             (NewId, Read),
         ],
     }

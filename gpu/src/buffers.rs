@@ -5,6 +5,18 @@ use crate::error::GpuError;
 use bytemuck::{Pod, Zeroable, cast_slice};
 use millpond_core::Solver;
 use millpond_core::layout::{Parameters, Status, TABLE_WORDS, f32x4};
+use millpond_core::terms::integrate::needs_earlier;
+
+/// What a command is about, where its pass alone does not say it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Role {
+    /// Nothing more.
+    Usual,
+    /// A gather from the first of these to the second.
+    Gather([Array; 2]),
+    /// Forces that are evaluated again, with the velocities ahead.
+    Again,
+}
 
 /// One of the two states.
 #[derive(Debug)]
@@ -16,6 +28,7 @@ pub(crate) struct StateBuffers {
     pub smoothing: wgpu::Buffer,
     pub heat: wgpu::Buffer,
     pub normal: wgpu::Buffer,
+    pub history: wgpu::Buffer,
     pub ends: wgpu::Buffer,
     pub id: wgpu::Buffer,
 }
@@ -35,6 +48,8 @@ pub(crate) struct Buffers {
     grid_cells: wgpu::Buffer,
     previous: wgpu::Buffer,
     free: wgpu::Buffer,
+    earlier: wgpu::Buffer,
+    ahead: wgpu::Buffer,
     slot_of: wgpu::Buffer,
     bare: wgpu::Buffer,
     birth: wgpu::Buffer,
@@ -92,7 +107,8 @@ impl Buffers {
         // what became of the air so far goes on being counted
         let air = solver.air();
         let refused = air.refused.min(u64::from(u32::MAX)) as u32;
-        let status = Status { air_alive: air.alive, air_refused: refused, ..Status::fine(solver.steps() as u32) };
+        let mut status = Status { air_alive: air.alive, air_refused: refused, ..Status::fine(solver.steps() as u32) };
+        solver.fill_status(&mut status);
         let queue = if m.air == 1 { 2 * n - parameters.first_air as usize } else { 0 };
         let head = storage.room("head", size_of::<Status>() + words(cells))?;
         gpu.queue.write_buffer(&head, 0, bytemuck::bytes_of(&status));
@@ -112,6 +128,7 @@ impl Buffers {
                     smoothing: storage.filled("smoothing", state.smoothing)?,
                     heat: storage.filled("heat", state.heat)?,
                     normal: storage.filled("normal", state.normal)?,
+                    history: storage.filled("history", state.history)?,
                     ends: storage.filled("spring ends", solver.spring_ends())?,
                     id: storage.filled("id", state.id)?,
                 },
@@ -123,12 +140,15 @@ impl Buffers {
                     smoothing: storage.room("smoothing", size_of_val(state.smoothing))?,
                     heat: storage.room("heat", size_of_val(state.heat))?,
                     normal: storage.room("normal", size_of_val(state.normal))?,
+                    history: storage.room("history", size_of_val(state.history))?,
                     ends: storage.filled("spring ends", if m.plastic == 1 { solver.spring_ends() } else { &[] })?,
                     id: storage.room("id", words(n))?,
                 },
             ],
             previous: storage.room("previous", if_needed(m.needs_previous()))?,
             free: storage.room("free", if_needed(m.corrects_pressure()))?,
+            earlier: storage.room("earlier", if_needed(needs_earlier(m)))?,
+            ahead: storage.room("ahead", if_needed(m.foresees()))?,
             slot_of: storage.room("slot_of", words(if m.springs == 1 || m.air == 1 { n } else { 0 }))?,
             bare: storage.room("bare", if_needed(m.air == 1))?,
             birth: storage.room("birth", words(queue))?,
@@ -143,8 +163,8 @@ impl Buffers {
         })
     }
 
-    /// The buffer of an array when state `old` is the old one. What a gather moves is its caller's to say.
-    pub(crate) fn array(&self, array: Array, old: usize, gather: [Array; 2]) -> &wgpu::Buffer {
+    /// The buffer of an array when state `old` is the old one, in this role.
+    pub(crate) fn array(&self, array: Array, old: usize, role: Role) -> &wgpu::Buffer {
         let (from, to) = (&self.states[old], &self.states[1 - old]);
         match array {
             Array::Head => &self.head,
@@ -156,12 +176,17 @@ impl Buffers {
             Array::OldHeat => &from.heat,
             Array::OldId => &from.id,
             Array::NewPosition => &to.position,
+            Array::NewVelocity if role == Role::Again => &self.ahead,
             Array::NewVelocity => &to.velocity,
             Array::NewDensityPressure => &to.density_pressure,
             Array::NewSmoothing => &to.smoothing,
             Array::NewHeat => &to.heat,
             Array::NewNormal => &to.normal,
             Array::NewId => &to.id,
+            Array::OldHistory => &from.history,
+            Array::NewHistory => &to.history,
+            Array::Earlier => &self.earlier,
+            Array::Ahead => &self.ahead,
             Array::SlotOf => &self.slot_of,
             Array::Bare => &self.bare,
             Array::Birth => &self.birth,
@@ -191,8 +216,10 @@ impl Buffers {
             Array::Begin => &self.begin,
             Array::Order => &self.order,
             Array::GridCells => &self.grid_cells,
-            Array::GatherFrom => self.array(gather[0], old, gather),
-            Array::GatherTo => self.array(gather[1], old, gather),
+            Array::GatherFrom | Array::GatherTo => {
+                let Role::Gather([from, to]) = role else { unreachable!("only a gather binds these") };
+                self.array(if array == Array::GatherFrom { from } else { to }, old, Role::Usual)
+            }
         }
     }
 }

@@ -1,10 +1,11 @@
 //! A step as commands: for each pass of the plan a pipeline, its bind groups for both directions, its work groups.
 use crate::bindings::{Access, Array, Threads, UNIFORMS, arrays, threads, workgroup};
-use crate::buffers::Buffers;
+use crate::buffers::{Buffers, Role};
 use crate::device::Gpu;
 use crate::error::GpuError;
 use crate::program::program;
 use millpond_core::layout::WORKGROUP;
+use millpond_core::terms::integrate::{has_history, needs_earlier};
 use millpond_core::{Pass, Plan};
 
 /// Most work groups along one dimension of a dispatch (WebGPU's default limit).
@@ -22,26 +23,44 @@ pub(crate) struct Command {
 
 /// What the gather pass moves: from where the moved particles wait to where they belong, and what else a plan needs of the
 /// step before.
-fn gathered(plan: &Plan) -> Vec<[Array; 2]> {
-    let mut moved = vec![[Array::NewDensityPressure, Array::NewPosition], [Array::NewAcceleration, Array::NewVelocity]];
-    if plan.model.needs_previous() {
-        moved.push([Array::OldDensityPressure, Array::Previous]);
-    }
-    if plan.model.thermal_energy == 1 {
-        moved.push([Array::OldHeat, Array::NewHeat]);
-    }
-    moved
+fn gathered(plan: &Plan) -> Vec<Role> {
+    let m = &plan.model;
+    let all = [
+        (true, [Array::NewDensityPressure, Array::NewPosition]),
+        (true, [Array::NewAcceleration, Array::NewVelocity]),
+        (m.needs_previous(), [Array::OldDensityPressure, Array::Previous]),
+        (m.thermal_energy == 1, [Array::OldHeat, Array::NewHeat]),
+        (has_history(m), [Array::OldHistory, Array::NewHistory]),
+        (needs_earlier(m), [Array::OldAcceleration, Array::Earlier]),
+    ];
+    all.into_iter().filter(|(needed, _)| *needed).map(|(_, moved)| Role::Gather(moved)).collect()
+}
+
+/// Passes that make a force, which those that are evaluated again go through once more.
+fn is_force(pass: Pass) -> bool {
+    matches!(pass, Pass::Force | Pass::Tension | Pass::Springs)
 }
 
 /// The commands of a step.
 pub(crate) fn commands(gpu: &Gpu, plan: &Plan, buffers: &Buffers, counts: [u32; 2]) -> Result<Vec<Command>, GpuError> {
     let mut commands = Vec::new();
+    let mut again = Vec::new();
     for pass in plan.passes() {
         let (layout, pipeline) = pipeline(gpu, pass, plan)?;
-        let moved = gathered(plan);
-        for &gather in if pass == Pass::Gather { &moved[..] } else { &moved[..1] } {
-            let groups = [0, 1].map(|old| bind(gpu, pass, &layout, buffers, old, gather));
-            commands.push(Command { pass, pipeline: pipeline.clone(), groups, size: size(pass, counts) });
+        let command = |role: Role| {
+            let groups = [0, 1].map(|old| bind(gpu, pass, &layout, buffers, old, role));
+            Command { pass, pipeline: pipeline.clone(), groups, size: size(pass, counts) }
+        };
+        if pass == Pass::Coat || pass == Pass::IntegrateAfter {
+            commands.append(&mut again);
+        }
+        if pass == Pass::Gather {
+            commands.extend(gathered(plan).into_iter().map(command));
+        } else {
+            commands.push(command(Role::Usual));
+        }
+        if plan.model.reevaluates == 1 && is_force(pass) {
+            again.push(command(Role::Again));
         }
     }
     Ok(iterated(&commands, plan.iterations()))
@@ -158,10 +177,10 @@ fn bind(
     layout: &wgpu::BindGroupLayout,
     buffers: &Buffers,
     old: usize,
-    gather: [Array; 2],
+    role: Role,
 ) -> wgpu::BindGroup {
     let mut bound = vec![&buffers.parameters, &buffers.tables];
-    bound.extend(arrays(pass).iter().map(|(array, _)| buffers.array(*array, old, gather)));
+    bound.extend(arrays(pass).iter().map(|(array, _)| buffers.array(*array, old, role)));
     bind_group(gpu, pass.name(), layout, &bound)
 }
 

@@ -47,12 +47,14 @@ fn loop_text(pass: Pass) -> &'static str {
         Pass::PressureForce => include_str!("shaders/p14_pressure_force.wgsl"),
         Pass::PressureCorrect => include_str!("shaders/p15_pressure_correct.wgsl"),
         Pass::PressureSettle => include_str!("shaders/p16_pressure_settle.wgsl"),
-        Pass::Heat => include_str!("shaders/p17_heat.wgsl"),
-        Pass::Smooth => include_str!("shaders/p18_smooth.wgsl"),
-        Pass::Coat => include_str!("shaders/p19_coat.wgsl"),
-        Pass::IntegrateAfter => include_str!("shaders/p20_integrate_after.wgsl"),
-        Pass::Air => include_str!("shaders/p21_air.wgsl"),
-        Pass::Commit => include_str!("shaders/p22_commit.wgsl"),
+        Pass::Foresee => include_str!("shaders/p17_foresee.wgsl"),
+        Pass::Heat => include_str!("shaders/p18_heat.wgsl"),
+        Pass::Smooth => include_str!("shaders/p19_smooth.wgsl"),
+        Pass::Coat => include_str!("shaders/p20_coat.wgsl"),
+        Pass::IntegrateAfter => include_str!("shaders/p21_integrate_after.wgsl"),
+        Pass::Air => include_str!("shaders/p22_air.wgsl"),
+        Pass::Look => include_str!("shaders/p23_look.wgsl"),
+        Pass::Commit => include_str!("shaders/p24_commit.wgsl"),
     }
 }
 

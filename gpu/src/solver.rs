@@ -3,9 +3,10 @@ use crate::buffers::{Buffers, read};
 use crate::device::Gpu;
 use crate::error::GpuError;
 use crate::pipelines::{Command, commands, record};
+use core::mem::offset_of;
 use millpond_core::hash::state_hash;
-use millpond_core::layout::{Status, f32x4, u32x2};
-use millpond_core::{AirReport, CorrectionReport, SceneError, Solver, verdict};
+use millpond_core::layout::{Parameters, Status, f32x4, u32x2};
+use millpond_core::{AirReport, CorrectionReport, SceneError, Solver, TimeReport, verdict};
 
 /// Steps that are recorded before the status is read: a failed step is found at most this late, and costs nothing more.
 pub const STEPS_PER_STATUS: u32 = 64;
@@ -23,9 +24,13 @@ pub struct GpuSolver {
     spring_ends: usize,
     plastic: bool,
     cell_places: u32,
+    adaptive: bool,
+    time_step: f32,
     first_step: u64,
     /// Steps that count.
     steps: u64,
+    /// Steps that were recorded, those that do not count too.
+    attempts: u64,
 }
 
 /// A state that was read back, in the slots of the device.
@@ -94,8 +99,11 @@ impl GpuSolver {
             spring_ends: solver.spring_ends().len(),
             plastic: plan.model.plastic == 1,
             cell_places: plan.model.cell_places,
+            adaptive: plan.model.adaptive == 1,
+            time_step: parameters.time_step,
             first_step: solver.steps(),
             steps: solver.steps(),
+            attempts: 0,
         })
     }
 
@@ -105,24 +113,36 @@ impl GpuSolver {
     /// A step that could not be made; the fluid then is as it was before that step, and no further step is made: start
     /// again from [`GpuSolver::read`] with another scene.
     pub fn step(&mut self, count: u32) -> Result<(), GpuError> {
-        let mut left = count;
-        while left > 0 {
-            let now = left.min(STEPS_PER_STATUS);
+        let until = self.steps + u64::from(count);
+        while self.steps < until {
+            let now = (until - self.steps).min(u64::from(STEPS_PER_STATUS));
             let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-            for attempt in 0..now {
-                let old = (self.current() + attempt as usize) % 2;
-                encoder.clear_buffer(&self.buffers.head, size_of::<Status>() as u64, None);
-                record(&self.commands, &mut encoder, old);
+            for attempt in self.attempts..self.attempts + now {
+                self.record(&mut encoder, attempt as usize % 2);
             }
             self.gpu.caught(|| Ok(self.gpu.queue.submit([encoder.finish()])))?;
             let status = self.status()?;
+            self.attempts += now;
             self.steps = u64::from(status.steps);
-            if status.failed != 0 {
+            if status.failed == 1 {
                 return Err(verdict(&status, self.cell_places).err().map_or_else(lost, GpuError::Step));
             }
-            left -= now;
         }
         Ok(())
+    }
+
+    /// Records an attempt at a step from state `old`. After one that is to be made again the next finds the states the other way
+    /// round, and sits out.
+    fn record(&self, encoder: &mut wgpu::CommandEncoder, old: usize) {
+        let Buffers { head, parameters, .. } = &self.buffers;
+        encoder.clear_buffer(head, size_of::<Status>() as u64, None);
+        if self.adaptive {
+            // the time step goes from the clock into the constants without the host ever seeing it
+            let (from, to) = (offset_of!(Status, time_step), offset_of!(Parameters, time_step));
+            let bytes = 3 * size_of::<f32>();
+            encoder.copy_buffer_to_buffer(head, from as u64, parameters, to as u64, Some(bytes as u64));
+        }
+        record(&self.commands, encoder, old);
     }
 
     /// Which state is the fluid: they trade places at each step that counts.
@@ -170,6 +190,18 @@ impl GpuSolver {
             total_iterations: u64::from(status.total_iterations),
             residual: f32::from_bits(status.last_residual),
         })
+    }
+
+    /// What became of the time step, as [`Solver::time_report`] says it.
+    ///
+    /// # Errors
+    /// The device failed.
+    pub fn time_report(&self) -> Result<TimeReport, GpuError> {
+        let mut report = TimeReport::of(&self.status()?);
+        if !self.adaptive {
+            report.time = self.steps as f64 * f64::from(self.time_step);
+        }
+        Ok(report)
     }
 
     /// What became of the coat of air, as [`Solver::air`] says it; all zero where a scene has none.

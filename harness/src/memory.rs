@@ -19,6 +19,9 @@ pub struct Heap {
     heat: [Vec<f32x4>; 2],
     previous: Vec<f32x4>,
     free: Vec<f32x4>,
+    history: [Vec<f32x4>; 2],
+    earlier: Vec<f32x4>,
+    ahead: Vec<f32x4>,
     normal: [Vec<f32x4>; 2],
     springs_of: Vec<u32x4>,
     spring_ends: [Vec<u32x2>; 2],
@@ -40,7 +43,7 @@ impl Heap {
     #[must_use]
     pub fn with(needs: Needs) -> Heap {
         let Needs { particles: n, cells, places, smoothing, heat, previous, free, tables, nodes, .. } = needs;
-        let Needs { normals, springs, spring_ends, plastic, air, .. } = needs;
+        let Needs { normals, springs, spring_ends, plastic, air, history, earlier, ahead, .. } = needs;
         let sprung = if springs { n } else { 0 };
         let if_needed = |needed: bool| vec![[0.0; 4]; if needed { n } else { 0 }];
         let state = || [(); 4].map(|()| vec![[0.0; 4]; n]);
@@ -57,6 +60,9 @@ impl Heap {
             heat: [if_needed(heat), if_needed(heat)],
             previous: if_needed(previous),
             free: if_needed(free),
+            history: [if_needed(history), if_needed(history)],
+            earlier: if_needed(earlier),
+            ahead: if_needed(ahead),
             normal: [if_needed(normals), if_needed(normals)],
             springs_of: vec![[0; 4]; sprung],
             spring_ends: [vec![[0; 2]; spring_ends], vec![[0; 2]; if plastic { spring_ends } else { 0 }]],
@@ -78,10 +84,11 @@ impl Heap {
         let [smoothing, other_smoothing] = self.smoothing.each_mut().map(Vec::as_mut_slice);
         let [heat, other_heat] = self.heat.each_mut().map(Vec::as_mut_slice);
         let [normal, other_normal] = self.normal.each_mut().map(Vec::as_mut_slice);
+        let [history, other_history] = self.history.each_mut().map(Vec::as_mut_slice);
         Memory {
             states: [
-                state(first, [smoothing, heat, normal], first_id),
-                state(second, [other_smoothing, other_heat, other_normal], second_id),
+                state(first, [smoothing, heat, normal, history], first_id),
+                state(second, [other_smoothing, other_heat, other_normal, other_history], second_id),
             ],
             slot: &mut self.slot,
             scratch: Scratch {
@@ -95,6 +102,8 @@ impl Heap {
                 grid_cells,
                 previous: &mut self.previous,
                 free: &mut self.free,
+                earlier: &mut self.earlier,
+                ahead: &mut self.ahead,
                 slot_of: &mut self.slot_of,
                 bare: &mut self.bare,
                 birth: &mut self.birth,
@@ -108,9 +117,9 @@ impl Heap {
 
 fn state<'m>(
     vectors: &'m mut [Vec<f32x4>; 4],
-    [smoothing, heat, normal]: [&'m mut [f32x4]; 3],
+    [smoothing, heat, normal, history]: [&'m mut [f32x4]; 4],
     id: &'m mut [u32],
 ) -> State<'m> {
     let [position, velocity, acceleration, density_pressure] = vectors.each_mut().map(Vec::as_mut_slice);
-    State { position, velocity, acceleration, density_pressure, smoothing, heat, normal, id }
+    State { position, velocity, acceleration, density_pressure, smoothing, heat, normal, history, id }
 }

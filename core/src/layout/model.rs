@@ -70,6 +70,12 @@ shared! {
         pub thermal_energy: u32,
         /// 1: particles move with their neighbours.
         pub xsph: u32,
+        /// [`terms::integrate`](crate::terms::integrate).
+        pub integrator: u32,
+        /// 1: forces are evaluated once more, with the velocities at the end of the step.
+        pub reevaluates: u32,
+        /// 1: the time step follows from the state.
+        pub adaptive: u32,
         /// Cells around a particle's own along z, 0 or 1: in 2D there is one layer.
         pub layers: u32,
         /// Places of a cell in the cell lists; 0 with the index sort.
@@ -95,6 +101,26 @@ impl Model {
     pub fn has_curvature(&self) -> bool {
         use crate::terms::tension::{CURVATURE, NORMAL_CURVATURE};
         self.tension == CURVATURE || self.tension == NORMAL_CURVATURE
+    }
+
+    /// Do pairs need the velocities at the end of a step?
+    #[must_use]
+    pub fn foresees(&self) -> bool {
+        self.thermal_energy == 1 || self.xsph == 1 || self.reevaluates == 1
+    }
+
+    /// Is there anything left to do after the forces?
+    #[must_use]
+    pub fn integrates_after(&self) -> bool {
+        self.walls == 1 || !crate::terms::integrate::knows_velocity(self)
+    }
+
+    /// The same model with the plainest integrator: what a step takes that only evaluates forces.
+    #[must_use]
+    pub(crate) fn at_rest(mut self) -> Model {
+        self.integrator = crate::terms::integrate::SEMI_IMPLICIT_EULER;
+        self.reevaluates = 0;
+        self
     }
 
     /// Are kernels read from tables?

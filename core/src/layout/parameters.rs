@@ -39,8 +39,8 @@ shared! {
         /// Constant of the equation of state, near pressure at rest (thesis) or over the near sum (article), both in Pa, speed
         /// of sound in m/s, number of the equation.
         pub states: Kinds,
-        /// Change of pressure for a density that is off by all of itself, in Pa, one over it, `1 / (rho0 c0^2)` in 1/Pa, surface
-        /// tension.
+        /// Of an iteration of pressure: how much a pressure thins the density around it in a step, over the step's square, in
+        /// 1/(Pa s2), what is added to that, in 1/Pa; `1 / (rho0 c0^2)` in 1/Pa; surface tension.
         pub corrections: Kinds,
         /// Particles in all.
         pub particle_count: u32,
@@ -58,7 +58,7 @@ shared! {
         pub smallest_support: f32,
         /// Largest share.
         pub largest_support: f32,
-        /// Time step, s.
+        /// Time step, s. This and the next two are all that changes from step to step: a device copies them from its status.
         pub time_step: f32,
         /// Half of it, s.
         pub half_time_step: f32,
@@ -97,8 +97,8 @@ shared! {
         pub surface_directions: f32,
         /// Strain that a spring bears without giving way.
         pub yield_strain: f32,
-        /// Share of the strain beyond it that is lost in a step.
-        pub plastic_share: f32,
+        /// Share of the strain beyond it that is lost in a second, 1/s.
+        pub plastic_rate: f32,
         /// Length of a spring at which it breaks, over its length at rest.
         pub breaking_stretch: f32,
         /// Share of the deviation of density that a step is to mend.
@@ -137,18 +137,40 @@ shared! {
         pub air_fluid: f32,
         /// First id of the coat's particles, which are the last.
         pub first_air: u32,
+        /// How far the fastest particle may come in a step, `C H`, m.
+        pub speed_reach: f32,
+        /// `C^2 H` of the criterion by acceleration, m.
+        pub acceleration_reach: f32,
+        /// How far sound may come in a step, `C H`, m.
+        pub sound_reach: f32,
+        /// Longest step that viscosity allows, `C H^2 / nu`, s.
+        pub viscous_time_step: f32,
+        /// Shortest step, s.
+        pub smallest_time_step: f32,
+        /// Longest step, s.
+        pub largest_time_step: f32,
+        /// Times that a step may be as long as the last one.
+        pub time_step_growth: f32,
+        /// A step is made again where it lasted more than so many times what it should have; 0: never.
+        pub redo_above: f32,
         /// Unused.
         pub pad0: u32,
     }
 }
 
 impl Parameters {
+    /// The same scene with time running back.
+    pub(crate) fn backwards(self) -> Parameters {
+        let at_rest = self.at_rest();
+        let (time_step, half_time_step) = (-self.time_step, -self.half_time_step);
+        Parameters { time_step, half_time_step, plastic_rate: 0.0, ..at_rest }
+    }
+
     /// The same scene with time standing still: a step with these evaluates the forces and moves nothing.
     pub(crate) fn at_rest(mut self) -> Parameters {
         self.time_step = 0.0;
         self.half_time_step = 0.0;
         self.plane_count = 0;
-        self.plastic_share = 0.0;
         self.breaking_stretch = f32::MAX;
         self
     }

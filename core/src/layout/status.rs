@@ -8,7 +8,8 @@ shared! {
     /// Head of the status buffer. The three offenders are minima over a pass, so no order of threads changes them; the
     /// last pass of a step looks at them once, and a step that finds one sets `failed`, after which no step does anything.
     pub struct Status {
-        /// 0, or 1 for good.
+        /// 0; 1 for good; 2 for an attempt that sits out, since the one before is to be made again and its states are the
+        /// other way round.
         pub failed: u32,
         /// Steps that count.
         pub steps: u32,
@@ -41,6 +42,31 @@ shared! {
         pub alive: u32,
         /// After the last step that counts.
         pub air_alive: u32,
+        /// Largest squared speed of this step, as the bits of a number that is not negative, (m/s)^2. These three only where
+        /// the time step follows from them.
+        pub fastest: u32,
+        /// Largest squared acceleration, likewise, (m/s2)^2.
+        pub hardest: u32,
+        /// Largest speed of sound, likewise, m/s.
+        pub loudest: u32,
+        /// Steps that were made again, shorter.
+        pub redone: u32,
+        /// Steps that were not made as short as they should have been, the shortest being longer.
+        pub held: u32,
+        /// The next step, s. This and the next two go into the parameters before it.
+        pub time_step: f32,
+        /// Half of it, s.
+        pub half_time_step: f32,
+        /// One over it, 1/s.
+        pub inverse_time_step: f32,
+        /// The last step that counts, s.
+        pub last_time_step: f32,
+        /// What it should have been at most, s.
+        pub last_wanted: f32,
+        /// Simulated time, s.
+        pub clock: f32,
+        /// And what that sum lost, s.
+        pub clock_lost: f32,
     }
 }
 

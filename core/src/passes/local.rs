@@ -54,8 +54,8 @@ impl Particles<'_> {
         Stiffness {
             state: row(&p.states, 0),
             near: row(&p.states, 1),
-            correction: row(&p.corrections, 0),
-            inverse_correction: row(&p.corrections, 1),
+            thinning: row(&p.corrections, 0),
+            offset: row(&p.corrections, 1),
             compressibility: row(&p.corrections, 2),
         }
     }

@@ -19,12 +19,14 @@ pub(crate) mod p13_springs;
 pub(crate) mod p14_pressure_force;
 pub(crate) mod p15_pressure_correct;
 pub(crate) mod p16_pressure_settle;
-pub(crate) mod p17_heat;
-pub(crate) mod p18_smooth;
-pub(crate) mod p19_coat;
-pub(crate) mod p20_integrate_after;
-pub(crate) mod p21_air;
-pub(crate) mod p22_commit;
+pub(crate) mod p17_foresee;
+pub(crate) mod p18_heat;
+pub(crate) mod p19_smooth;
+pub(crate) mod p20_coat;
+pub(crate) mod p21_integrate_after;
+pub(crate) mod p22_air;
+pub(crate) mod p23_look;
+pub(crate) mod p24_commit;
 pub(crate) mod pairs;
 
 use crate::arithmetic::level::Simd;
@@ -73,6 +75,12 @@ fn row_of<R: Real>(m: &Model, rows: &Kinds, velocity: &[f32x4], first: usize, la
 fn load<R: Real>(array: &[f32x4], first: usize, last: usize) -> vec3<R> {
     let at = |lane: usize, i: usize| array[(first + lane).min(last)][i];
     vec3(R::from_lanes(|l| at(l, 0)), R::from_lanes(|l| at(l, 1)), R::from_lanes(|l| at(l, 2)))
+}
+
+/// The same of an array that may not exist: then 0.
+#[inline(always)]
+fn load_if_any<R: Real>(array: &[f32x4], first: usize, last: usize) -> vec3<R> {
+    if array.is_empty() { vec3(real(0.0), real(0.0), real(0.0)) } else { load(array, first, last) }
 }
 
 /// Component `i` of particles `first ..= last` in the lanes, the last one repeated to fill up.

@@ -1,15 +1,15 @@
-//! First half of the integrator.
+//! First half of the integrator: to where the forces are evaluated.
 //!
 //! Reads the old state in its slots. The new state's slots are not known yet, so the moved particles wait in two arrays
 //! of the new state that are not in use before `p09_density` and `p10_force` fill them.
-use super::{Setup, load, row_of, store_xyz};
+use super::{Setup, load, load_if_any, row_of, store_xyz};
 use crate::arithmetic::level::Work;
 use crate::arithmetic::real::{Real, real};
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::layout::f32x4;
 use crate::memory::State;
-use crate::terms::integrate::{drift, kick, wrap};
-use crate::terms::wall::if_free;
+use crate::terms::integrate::{drift, moved, velocity_for_forces, wrap};
+use crate::terms::wall::only_if_free;
 use core::ops::Range;
 
 struct Job<'a> {
@@ -47,25 +47,25 @@ impl Work for &mut Job<'_> {
     #[inline(always)]
     fn run<R: Real>(self) {
         let (m, p, old) = (self.setup.model, self.setup.parameters, self.old);
-        let (dt, half_dt) = (real::<R>(p.time_step), real::<R>(p.half_time_step));
         // mass and kind go with them
         self.moved_position.copy_from_slice(&old.position[self.slots.clone()]);
         self.moved_velocity.copy_from_slice(&old.velocity[self.slots.clone()]);
         for first in self.slots.clone().step_by(R::LANES) {
             let end = (first + R::LANES).min(self.slots.end);
             let last = end - 1;
-            let v = kick::<R>(load(old.velocity, first, last), load(old.acceleration, first, last), half_dt);
-            let mut way = v;
+            let (x, v) = (load::<R>(old.position, first, last), load::<R>(old.velocity, first, last));
+            let a = load(old.acceleration, first, last);
+            let history = load_if_any(old.history, first, last);
+            let mut place = moved(m, p, x, v, a, history);
             if m.xsph == 1 {
-                way = way + load(old.smoothing, first, last);
+                place = drift(place, load(old.smoothing, first, last), real(p.time_step));
             }
             if m.wall_particles != 0 || m.air == 1 {
-                way = if_free(m, way, row_of(m, &p.species, old.velocity, first, last, 1));
+                place = only_if_free(m, x, place, row_of(m, &p.species, old.velocity, first, last, 1));
             }
-            let x = wrap(m, p, drift::<R>(load(old.position, first, last), way, dt));
             let own = first - self.slots.start..end - self.slots.start;
-            store_xyz(&mut self.moved_velocity[own.clone()], v);
-            store_xyz(&mut self.moved_position[own], x);
+            store_xyz(&mut self.moved_velocity[own.clone()], velocity_for_forces(m, p, v, a, history));
+            store_xyz(&mut self.moved_position[own], wrap(m, p, place));
         }
     }
 }

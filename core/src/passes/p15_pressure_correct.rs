@@ -3,7 +3,7 @@ use super::pairs::{Block, Job, PairPass, fold};
 use super::{is_dormant, load};
 use crate::arithmetic::real::{Real, less, real, select, vec3};
 use crate::layout::f32x4;
-use crate::terms::correction::{density_miss, predicted_velocity, pressure_corrected, residual};
+use crate::terms::correction::{density_miss, inverse_correction, predicted_velocity, pressure_corrected, residual};
 use crate::terms::density::{continuity_neighbour, deviation_rate};
 use crate::terms::kernel::if_inside;
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
@@ -45,11 +45,12 @@ impl PairPass for PressureCorrect<'_> {
         let k = particles.stiffness::<R>(setup, first, last);
         let rate = deviation_rate(m, p, rate, a.mass, a.rest);
         let miss = density_miss(m, p, before, deviation, rate, k.compressibility);
-        let mut after = pressure_corrected(m, before, miss, k.correction);
+        let inverse = inverse_correction(p, k.thinning, k.offset);
+        let mut after = pressure_corrected(m, before, miss, inverse);
         if m.wall_particles == MIRRORED {
             after = select(after, real(0.0), less(real(0.0), a.wall));
         }
-        let left = residual(before, after, k.inverse_correction);
+        let left = residual(before, after, inverse);
         let mut largest = 0;
         for (lane, own) in own.iter_mut().enumerate() {
             own[1] = after.lane(lane);

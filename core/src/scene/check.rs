@@ -27,6 +27,7 @@ impl Scene {
         positive("particle_spacing", self.particle_spacing)?;
         positive("average_neighbours", self.average_neighbours)?;
         positive("time_step", self.time_step)?;
+        self.check_time()?;
         finite("gravity", &self.gravity)?;
         self.check_surroundings()?;
         (0..).zip(self.fluids()).try_for_each(check_fluid)?;
@@ -53,7 +54,8 @@ impl Scene {
         };
         for (number, fluid) in self.fluids().enumerate() {
             let [state, near, ..] = derived.states[number];
-            let [correction, inverse_correction, compressibility, _] = derived.corrections[number];
+            let [thinning, offset, compressibility, _] = derived.corrections[number];
+            let correction = thinning * self.time_step * self.time_step + offset;
             scale(field!(number, "speed_of_sound"), fluid.speed_of_sound, &[state, compressibility])?;
             if !near.is_finite() || (near == 0.0 && near_stiffness(self, fluid) > 0.0) {
                 let (field, value) = match fluid.near_stiffness {
@@ -62,7 +64,7 @@ impl Scene {
                 };
                 return Err(SceneError::OutOfScale { field, value });
             }
-            scale("time_step", self.time_step, &[correction, inverse_correction])?;
+            scale("time_step", self.time_step, &[correction, 1.0 / correction])?;
             scale(field!(number, "rest_density"), fluid.rest_density, &[derived.species[number][2]])?;
             if fluid.elastic_stiffness > 0.0 {
                 let pull = spring_pull(self, fluid) as f32;
@@ -81,6 +83,41 @@ impl Scene {
             derived.viscosity_laplacian_constant,
         ];
         scale("particle_spacing", self.particle_spacing, &of_length)
+    }
+
+    fn check_time(&self) -> Result<(), SceneError> {
+        if let Some(courant) = self.stiffness_for_time_step {
+            positive("stiffness_for_time_step", courant)?;
+        }
+        let Some(adaptive) = &self.adaptive else { return Ok(()) };
+        let criteria = [
+            ("adaptive.speed", adaptive.speed),
+            ("adaptive.acceleration", adaptive.acceleration),
+            ("adaptive.sound", adaptive.sound),
+            ("adaptive.viscosity", adaptive.viscosity),
+        ];
+        for (field, courant) in criteria {
+            courant.map_or(Ok(()), |courant| positive(field, courant))?;
+        }
+        positive("adaptive.smallest", adaptive.smallest)?;
+        finite("adaptive.smallest", &[1.0 / adaptive.smallest])?;
+        let bounds = [
+            ("adaptive.largest", adaptive.largest, adaptive.smallest, f32::MAX),
+            ("adaptive.growth", adaptive.growth, 1.0, f32::MAX),
+            ("adaptive.redo_above", adaptive.redo_above.unwrap_or(1.0), 1.0, f32::MAX),
+            ("time_step", self.time_step, adaptive.smallest, adaptive.largest),
+        ];
+        for (field, value, least, most) in bounds {
+            if !(least..=most).contains(&value) {
+                return Err(SceneError::OutOfBounds { field, value, least, most });
+            }
+        }
+        Ok(())
+    }
+
+    /// The longest step that there can be, s.
+    pub(super) fn longest_step(&self) -> f32 {
+        self.adaptive.map_or(self.time_step, |adaptive| adaptive.largest)
     }
 
     fn check_surroundings(&self) -> Result<(), SceneError> {
@@ -126,7 +163,7 @@ impl Scene {
             positive("elasticity.plasticity.rate", plasticity.rate)?;
             not_negative("elasticity.plasticity.yield_strain", plasticity.yield_strain)?;
             // a length that gave way by more than all of the strain would turn round
-            let most = 1.0 / self.time_step;
+            let most = 1.0 / self.longest_step();
             if plasticity.rate > most {
                 let (field, value) = ("elasticity.plasticity.rate", plasticity.rate);
                 return Err(SceneError::OutOfBounds { field, value, least: 0.0, most });

@@ -1,6 +1,6 @@
 //! Every choice between formulas or structures that a scene can make. The numbers of those that a term compares are the
 //! term's own, and so are their names.
-use crate::terms::{correction, density, kernel, near, pressure, state, table, tension, viscosity, wall};
+use crate::terms::{correction, density, integrate, kernel, near, pressure, state, table, tension, viscosity, wall};
 
 /// A choice between terms: its variants with the term's number and the names of what it computes.
 macro_rules! choice {
@@ -180,6 +180,35 @@ choice! {
         Mirrored = wall::MIRRORED => &["wall_mirrored"],
         /// It has density and pressure like the fluid (S0 section 3.5.3); three layers.
         QuasiFluid = wall::QUASI_FLUID => &["wall_quasi_fluid"],
+    }
+}
+
+choice! {
+    /// How particles are moved from step to step (S0 section 2.3.1 with the errata). Stable up to a product of the largest
+    /// frequency and the time step which is given without damping, and critically damped.
+    pub enum Integrator {
+        /// Half kick, drift, half kick (eq. 2.33): stable to 2, and 0.828.
+        ModifiedVelocityVerlet = integrate::MODIFIED_VELOCITY_VERLET => &["modified_verlet_kick"],
+        /// Forward Euler (eq. 2.29): never stable, and to 2.
+        Euler = integrate::EULER => &["euler_position", "euler_velocity"],
+        /// Semi-implicit Euler (eq. 2.30): to 2, and 0.828.
+        SemiImplicitEuler = integrate::SEMI_IMPLICIT_EULER => &["semi_implicit_position", "euler_velocity"],
+        /// Verlet, by the last displacement (eq. 2.31): to 2, and 0.732.
+        Verlet = integrate::VERLET => &["verlet_position", "verlet_velocity"],
+        /// Velocity Verlet (eq. 2.32): to 2, and 0.732.
+        VelocityVerlet = integrate::VELOCITY_VERLET => &["velocity_verlet_position", "velocity_verlet_velocity"],
+        /// Leapfrog (eq. 2.34; S3): to 2, and 0.732.
+        Leapfrog = integrate::LEAPFROG => &["leapfrog_position", "leapfrog_velocity"],
+        /// Clavet's prediction and relaxation (eq. 2.35): to 1.155, and 0.667.
+        Clavet = integrate::PREDICTION_RELAXATION => &["clavet_prediction", "clavet_relaxation", "clavet_velocity"],
+        /// Beeman (eq. 2.36): to 2, and 0.533.
+        Beeman = integrate::BEEMAN => &["beeman_position", "beeman_velocity"],
+        /// With a predicted velocity (eq. 2.37): to 2, and 0.293.
+        VelocityCorrectedBeeman = integrate::VELOCITY_CORRECTED_BEEMAN =>
+            &["beeman_position", "beeman_prediction", "velocity_corrected"],
+        /// With both predicted and corrected (eq. 2.38): never stable, and to 0.26.
+        PositionCorrectedBeeman = integrate::POSITION_CORRECTED_BEEMAN =>
+            &["beeman_position", "beeman_prediction", "position_corrected", "position_corrected_velocity"],
     }
 }
 

@@ -1,8 +1,8 @@
 //! Choices that do not go together, refused by name before anything is touched.
 use super::check::positive;
 use super::{
-    Air, Correction, DensityForm, Elasticity, EquationOfState, Evaluation, Fluid, GridStructure, Iteration, Kernel,
-    NearPressure, PressureForce, Scene, SurfaceTension, Viscosity, WallPressure,
+    Adaptive, Air, Correction, DensityForm, Elasticity, EquationOfState, Evaluation, Fluid, GridStructure, Integrator,
+    Iteration, Kernel, NearPressure, PressureForce, Scene, SurfaceTension, Viscosity, WallPressure,
 };
 use crate::error::SceneError;
 use crate::guided::least_cell;
@@ -25,6 +25,7 @@ impl Scene {
         self.check_tension()?;
         self.check_springs()?;
         self.check_air()?;
+        self.check_integrator()?;
         let model = &self.model;
         let one_sided = matches!(model.pressure_force, PressureForce::Canonical | PressureForce::Difference);
         if model.thermal_energy && one_sided {
@@ -161,7 +162,7 @@ impl Scene {
             ));
         }
         let fastest = self.fluids().map(|fluid| fluid.speed_of_sound).fold(0.0, f32::max);
-        let spacings = fastest * self.time_step / self.particle_spacing;
+        let spacings = fastest * self.longest_step() / self.particle_spacing;
         if iteration == Iteration::Literal && spacings > LITERAL_SPACINGS {
             return Err(SceneError::CannotConverge { spacings, most: LITERAL_SPACINGS });
         }
@@ -267,6 +268,93 @@ impl Scene {
                 "air",
                 "so few average_neighbours",
                 "a support must reach 1.75 spacings, so that two that are made never meet",
+            ));
+        }
+        Ok(())
+    }
+
+    fn check_integrator(&self) -> Result<(), SceneError> {
+        let model = &self.model;
+        let remembers = matches!(
+            model.integrator,
+            Integrator::Verlet
+                | Integrator::Beeman
+                | Integrator::VelocityCorrectedBeeman
+                | Integrator::PositionCorrectedBeeman
+        );
+        let corrects = model.equation_of_state == EquationOfState::PressureCorrection;
+        if self.adaptive.is_some() && !model.integrator.allows_changing_steps() {
+            return Err(not_together(
+                "adaptive",
+                "a model.integrator Verlet or one of Beeman's",
+                "what it remembers of the step before is of a step of the same length",
+            ));
+        }
+        let idle = Adaptive { speed: None, acceleration: None, sound: None, viscosity: None, ..Adaptive::default() };
+        let criteria = |a: &Adaptive| [a.speed, a.acceleration, a.sound, a.viscosity];
+        if self.adaptive.is_some_and(|adaptive| criteria(&adaptive) == criteria(&idle)) {
+            return Err(not_together("adaptive", "no criterion", "there is nothing for the time step to follow"));
+        }
+        if self.air.is_some() && remembers {
+            return Err(not_together(
+                "air",
+                "a model.integrator Verlet or one of Beeman's",
+                "air that has just been made has no step before to remember",
+            ));
+        }
+        let drifts = matches!(model.integrator, Integrator::ModifiedVelocityVerlet | Integrator::SemiImplicitEuler);
+        if corrects && !drifts {
+            return Err(not_together(
+                "model.equation_of_state PressureCorrection",
+                "a model.integrator other than ModifiedVelocityVerlet or SemiImplicitEuler",
+                "pressure is iterated for the velocity that these drift with",
+            ));
+        }
+        if model.reevaluate {
+            if matches!(model.integrator, Integrator::Euler | Integrator::SemiImplicitEuler) {
+                return Err(not_together(
+                    "model.reevaluate",
+                    "one of Euler's for model.integrator",
+                    "forces are evaluated with the velocity at the end of the step already",
+                ));
+            }
+            if matches!(model.integrator, Integrator::Clavet | Integrator::PositionCorrectedBeeman) {
+                return Err(not_together(
+                    "model.reevaluate",
+                    "a model.integrator Clavet or PositionCorrectedBeeman",
+                    "it moves particles after the forces, so that neighbours would have to be found again",
+                ));
+            }
+            if corrects {
+                return Err(not_together(
+                    "model.reevaluate",
+                    "model.equation_of_state PressureCorrection",
+                    "the pressure was iterated for the forces without it",
+                ));
+            }
+        }
+        self.check_stiffness()
+    }
+
+    fn check_stiffness(&self) -> Result<(), SceneError> {
+        if self.stiffness_for_time_step.is_none() {
+            return Ok(());
+        }
+        if self.adaptive.is_some() {
+            return Err(not_together(
+                "stiffness_for_time_step",
+                "adaptive",
+                "either the stiffness follows from the time step or the time step from the stiffness",
+            ));
+        }
+        if self.fluids().any(|fluid| fluid.stiffness.is_some()) {
+            return Err(not_together("stiffness_for_time_step", "fluid.stiffness", "it already says how stiff"));
+        }
+        if self.model.equation_of_state == EquationOfState::PressureCorrection {
+            return Err(not_together(
+                "stiffness_for_time_step",
+                "model.equation_of_state PressureCorrection",
+                "sound that is iterated for does not limit the time step",
             ));
         }
         Ok(())

@@ -11,13 +11,14 @@ mod kind;
 mod lattice;
 mod model;
 mod surroundings;
+mod time;
 mod walls;
 
 pub use air::Air;
 pub(crate) use check::check_count;
 pub use choice::{
-    DensityForm, Dimension, EquationOfState, Evaluation, Face, GridStructure, Iteration, Kernel, NearPressure,
-    PressureForce, Reflection, SurfaceTension, Viscosity, WallPressure,
+    DensityForm, Dimension, EquationOfState, Evaluation, Face, GridStructure, Integrator, Iteration, Kernel,
+    NearPressure, PressureForce, Reflection, SurfaceTension, Viscosity, WallPressure,
 };
 pub use elasticity::{Elasticity, Plasticity};
 pub use fluid::{Block, FLUIDS, Fluid};
@@ -26,6 +27,7 @@ pub use kind::{Kind, kind_of};
 pub use lattice::{Place, places};
 pub use model::{Correction, ModelChoice, SupportRange};
 pub use surroundings::{Container, FieldLattice, Grid, Periodic, WALLS, Wall, WallShape, Wind};
+pub use time::Adaptive;
 
 use heapless::Vec;
 
@@ -46,8 +48,16 @@ pub struct Scene {
     /// Particles inside a support radius, itself counted (S0 section 4.1.5; default 32). More: smoother and slower.
     #[cfg_attr(feature = "serde", serde(default = "default_average_neighbours"))]
     pub average_neighbours: f32,
-    /// Time step, s. Too large against `spacing / speed_of_sound`, and the fluid explodes.
+    /// Time step, s; an adaptive one begins with it, or shorter. Too large against `spacing / speed_of_sound`, and the fluid
+    /// explodes.
     pub time_step: f32,
+    /// A time step that follows from the state (default: none, all steps are alike).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub adaptive: Option<Adaptive>,
+    /// Share of the support that sound may cross in a step: given, speeds of sound are what the time step allows, the fastest
+    /// fluid's `C H / time_step` and the others in proportion (S4: stiffness for a wanted time step; default: none).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub stiffness_for_time_step: Option<f32>,
     /// Acceleration that acts everywhere, m/s2 (default none).
     #[cfg_attr(feature = "serde", serde(default))]
     pub gravity: [f32; 3],
@@ -106,6 +116,8 @@ impl Scene {
             particle_spacing,
             average_neighbours: AVERAGE_NEIGHBOURS,
             time_step,
+            adaptive: None,
+            stiffness_for_time_step: None,
             gravity: [0.0; 3],
             ambient_density: 0.0,
             wind: None,

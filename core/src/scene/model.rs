@@ -1,13 +1,18 @@
 //! Which formulas a scene uses.
 use super::choice::{
-    DensityForm, EquationOfState, Evaluation, Iteration, Kernel, NearPressure, PressureForce, SurfaceTension,
-    Viscosity, WallPressure,
+    DensityForm, EquationOfState, Evaluation, Integrator, Iteration, Kernel, NearPressure, PressureForce,
+    SurfaceTension, Viscosity, WallPressure,
 };
 
 /// Which formula each term uses. The defaults are S0's (section 4.1.2), in their forms for a single fluid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
 pub struct ModelChoice {
+    /// How particles are moved.
+    pub integrator: Integrator,
+    /// Evaluate forces once more at the end of a step, with the velocities that it came to (errata of S0 eq. 2.33): twice the
+    /// cost, for stability and order under damping (default off).
+    pub reevaluate: bool,
     /// Kernel of the density sum, and of XSPH.
     pub density_kernel: Kernel,
     /// Kernel of the pressure gradient, and of the divergence in the continuity equation.
@@ -52,6 +57,8 @@ pub struct ModelChoice {
 impl Default for ModelChoice {
     fn default() -> Self {
         ModelChoice {
+            integrator: Integrator::ModifiedVelocityVerlet,
+            reevaluate: false,
             density_kernel: Kernel::Poly6,
             pressure_kernel: Kernel::Spiky,
             viscosity_kernel: Kernel::Viscosity,

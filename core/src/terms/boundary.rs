@@ -20,6 +20,17 @@ pub fn depth_if_free<R: Real>(m: &Model, depth: R, wall: R) -> R {
     return select(depth, real(0.0), less(real(0.0), wall));
 }
 
+/// `behind` for a particle behind the plane, else `before`.
+#[inline(always)]
+pub fn select_if_behind<R: Real>(before: vec3<R>, behind: vec3<R>, depth: R) -> vec3<R> {
+    let nothing: R = real(0.0);
+    return vec3(
+        select(before.x, behind.x, less(nothing, depth)),
+        select(before.y, behind.y, less(nothing, depth)),
+        select(before.z, behind.z, less(nothing, depth)),
+    );
+}
+
 /// The particle, put back on the plane along the normal where it stands behind (S0 figure 3.7).
 #[inline(always)]
 pub fn put_back<R: Real>(position: vec3<R>, normal: vec3<R>, depth: R) -> vec3<R> {
@@ -47,10 +58,5 @@ pub fn reflect<R: Real>(m: &Model, p: &Parameters, velocity: vec3<R>, normal: ve
     let new_along = leaving + entering * returned_share(m, p, velocity, depth);
     let tangent = (velocity - normal * along) * real(p.slip);
     let turned = tangent + normal * new_along;
-    let nothing: R = real(0.0);
-    return flush3(vec3(
-        select(velocity.x, turned.x, less(nothing, depth)),
-        select(velocity.y, turned.y, less(nothing, depth)),
-        select(velocity.z, turned.z, less(nothing, depth)),
-    ));
+    return flush3(select_if_behind(velocity, turned, depth));
 }

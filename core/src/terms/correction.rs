@@ -39,10 +39,18 @@ pub fn density_miss<R: Real>(m: &Model, p: &Parameters, pressure: R, deviation: 
     return (deviation - pressure * compressibility) * p.correction_source + change;
 }
 
+/// One over what an iteration adds for a density that is off by all of itself, 1/Pa: how much a pressure thins the density
+/// around it in a step, `dt^2 V^2 / rho0 sum |grad W|^2`, with what keeps it finite, and the half by which Jacobi's iteration is
+/// kept from overshooting where all particles change at once.
+#[inline(always)]
+pub fn inverse_correction<R: Real>(p: &Parameters, thinning: R, offset: R) -> R {
+    return (thinning * (p.time_step * p.time_step) + offset) * 2.0;
+}
+
 /// Pressure after an iteration, Pa: `P + k miss`, where k is `rho0 c0^2`, or what the lattice can bear.
 #[inline(always)]
-pub fn pressure_corrected<R: Real>(m: &Model, pressure: R, miss: R, stiffness: R) -> R {
-    return flush(pressure_close(m, pressure + miss * stiffness));
+pub fn pressure_corrected<R: Real>(m: &Model, pressure: R, miss: R, inverse_stiffness: R) -> R {
+    return flush(pressure_close(m, pressure + div(miss, inverse_stiffness)));
 }
 
 /// What the iteration still had to mend, over the rest density; nothing where a pressure stays at 0 for want of suction.

@@ -23,7 +23,7 @@ pub fn spring_given_way<R: Real>(p: &Parameters, x_ab: vec3<R>, rest_length: R) 
     let borne = rest_length * p.yield_strain;
     let longer = larger(r - rest_length - borne, nothing);
     let shorter = larger(rest_length - r - borne, nothing);
-    let given = rest_length + (longer - shorter) * p.plastic_share;
+    let given = rest_length + (longer - shorter) * (p.plastic_rate * p.time_step);
     let broken: R = real(-1.0);
     let held = select(given, broken, less(rest_length * p.breaking_stretch, r));
     return select(held, rest_length, less(rest_length, nothing));

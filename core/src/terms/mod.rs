@@ -39,15 +39,17 @@ pub mod state;
 pub mod support;
 pub mod table;
 pub mod tension;
+pub mod time_step;
 pub mod viscosity;
 pub mod wall;
 pub mod xsph;
 
-texts!(air boundary correction density elastic exchange external geometry heat integrate near neighbour pair pressure state
-    support table tension viscosity wall xsph);
+texts!(air boundary correction density elastic exchange external geometry heat near neighbour pair pressure state support
+    table tension time_step viscosity wall xsph);
 
 /// All texts, in any order: WGSL does not mind.
 pub fn texts() -> impl Iterator<Item = (&'static str, &'static str)> {
-    let kernel = [("kernel", include_str!("kernel/mod.rs"))];
-    kernel.into_iter().chain(kernel::TEXTS.iter().copied()).chain(TEXTS.iter().copied())
+    let folders = [("kernel", include_str!("kernel/mod.rs")), ("integrate", include_str!("integrate/mod.rs"))];
+    let of = |texts: &'static [(&'static str, &'static str)]| texts.iter().copied();
+    folders.into_iter().chain(of(kernel::TEXTS)).chain(of(integrate::TEXTS)).chain(of(TEXTS))
 }

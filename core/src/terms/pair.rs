@@ -45,10 +45,10 @@ pub struct Stiffness<R> {
     pub state: R,
     /// Near pressure at rest (thesis), or over the near sum (article), Pa.
     pub near: R,
-    /// Change of pressure for a density that is off by all of itself, Pa.
-    pub correction: R,
-    /// One over it, 1/Pa.
-    pub inverse_correction: R,
+    /// How much a pressure thins the density around it in a step, over the step's square, 1/(Pa s2).
+    pub thinning: R,
+    /// What an iteration of pressure adds to that, 1/Pa.
+    pub offset: R,
     /// `1 / (rho0 c0^2)`, 1/Pa.
     pub compressibility: R,
 }

@@ -39,8 +39,17 @@ pub fn if_free<R: Real>(m: &Model, x: vec3<R>, wall: R) -> vec3<R> {
         return x;
     }
     let nothing: R = real(0.0);
-    let held = less(nothing, wall);
-    return vec3(select(x.x, nothing, held), select(x.y, nothing, held), select(x.z, nothing, held));
+    return only_if_free(m, vec3(nothing, nothing, nothing), x, wall);
+}
+
+/// `free` for a particle that moves, `held` for one of a wall or of air that is not there.
+#[inline(always)]
+pub fn only_if_free<R: Real>(m: &Model, held: vec3<R>, free: vec3<R>, wall: R) -> vec3<R> {
+    if m.wall_particles + m.air == NO_WALLS {
+        return free;
+    }
+    let is_held = less(real(0.0), wall);
+    return vec3(select(free.x, held.x, is_held), select(free.y, held.y, is_held), select(free.z, held.z, is_held));
 }
 
 /// Mass of a neighbour over that of a particle of the scene's first fluid at rest; a mirroring wall's is as if it were of

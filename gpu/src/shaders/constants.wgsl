@@ -17,3 +17,5 @@ fn stiffness_of(w: f32) -> Stiffness {
   let corrections = p.corrections[kind_index(w)];
   return Stiffness(states.x, states.y, corrections.x, corrections.y, corrections.z);
 }
+// Do pairs need the velocities at the end of a step? Twin: core/src/layout/model.rs.
+fn foresees() -> bool { return m.thermal_energy == 1u || m.xsph == 1u || m.reevaluates == 1u; }

@@ -28,7 +28,8 @@ fn pass_body(a: u32) {
   let state = new_density_pressure[a];
   let k = stiffness_of(new_velocity[a].w);
   rate = deviation_rate(rate, new_position[a].w, own_kind.z);
-  let after = pressure_corrected(state.y, density_miss(state.y, state.x, rate, k.compressibility), k.correction);
+  let inverse = inverse_correction(k.thinning, k.offset);
+  let after = pressure_corrected(state.y, density_miss(state.y, state.x, rate, k.compressibility), inverse);
   new_density_pressure[a] = vec4(state.x, after, state.z, state.w);
-  atomicMax(&head.status.residual, bitcast<u32>(residual(state.y, after, k.inverse_correction)));
+  atomicMax(&head.status.residual, bitcast<u32>(residual(state.y, after, inverse)));
 }

@@ -1,5 +1,5 @@
 // Thermal energy of each particle.
-fn at_step(a: u32) -> vec3<f32> { return velocity_at_step(new_velocity[a].xyz, new_acceleration[a].xyz); }
+fn at_step(a: u32) -> vec3<f32> { return ahead[a].xyz; }
 
 fn pass_body(i: u32) {
   if i >= p.particle_count || head.status.failed != 0u { return; }

@@ -3,13 +3,12 @@ use super::pairs::{Block, Job, PairPass, fold};
 use super::{load, store};
 use crate::arithmetic::real::{Real, real, vec3};
 use crate::layout::f32x4;
-use crate::terms::integrate::velocity_at_step;
 use crate::terms::wall::if_free;
 use crate::terms::xsph::{xsph_close, xsph_neighbour};
 
-/// With the velocities at the step, which the kick that is about to come makes of these accelerations.
+/// With the velocities at the end of the step.
 pub(crate) struct Smooth<'a> {
-    pub acceleration: &'a [f32x4],
+    pub ahead: &'a [f32x4],
 }
 
 impl PairPass for Smooth<'_> {
@@ -26,11 +25,11 @@ impl PairPass for Smooth<'_> {
             return 0;
         }
         let mut a = particles.receivers::<R>(setup, block.first, block.last);
-        a.velocity = velocity_at_step(p, a.velocity, load(self.acceleration, block.first, block.last));
+        a.velocity = load(self.ahead, block.first, block.last);
         let nothing = vec3(real::<R>(0.0), real(0.0), real(0.0));
         let sum = fold!(block, nothing, |sum, index| {
             let mut b = particles.neighbour::<R>(setup, index);
-            b.velocity = velocity_at_step(p, b.velocity, vec3::splat(self.acceleration[index]));
+            b.velocity = vec3::splat(self.ahead[index]);
             sum + xsph_neighbour(m, p, t, a, b)
         });
         store(own, core::hint::black_box(if_free(m, xsph_close(p, sum), a.wall)));

@@ -5,11 +5,11 @@ use crate::arithmetic::real::{Real, real, vec3};
 use crate::layout::f32x4;
 use crate::terms::exchange::{exchange_close, exchange_share};
 use crate::terms::heat::{exchange_heat, heat_close, heat_neighbour, heat_stepped};
-use crate::terms::integrate::velocity_at_step;
 
 /// Steps `heat`, whose entries are the energy and its rate before the step.
 pub(crate) struct Heat<'a> {
-    pub acceleration: &'a [f32x4],
+    /// Velocities at the end of the step: forces worked along these.
+    pub ahead: &'a [f32x4],
 }
 
 impl PairPass for Heat<'_> {
@@ -31,17 +31,17 @@ impl PairPass for Heat<'_> {
             return 0;
         }
         let a = particles.receivers::<R>(setup, first, last);
-        let v_a = velocity_at_step(p, a.velocity, load(self.acceleration, first, last));
+        let v_a = load::<R>(self.ahead, first, last);
         let sum = fold!(block, real::<R>(0.0), |sum, index| {
             let b = particles.neighbour(setup, index);
-            let v_ab = v_a - velocity_at_step(p, b.velocity, vec3::splat(self.acceleration[index]));
+            let v_ab = v_a - vec3::splat(self.ahead[index]);
             sum + heat_neighbour(m, p, t, a, b, v_ab)
         });
         let mut rate = heat_close(m, p, sum, a);
         if m.exchange == 1 {
             let (heat, shares) = fold!(block, (real::<R>(0.0), real::<R>(0.0)), |(heat, shares), index| {
                 let b = particles.neighbour(setup, index);
-                let v_ab = v_a - velocity_at_step(p, b.velocity, vec3::splat(self.acceleration[index]));
+                let v_ab = v_a - vec3::splat(self.ahead[index]);
                 (heat + exchange_heat(m, p, a, b, v_ab), shares + exchange_share(m, p, a, b))
             });
             rate = rate + heat * exchange_close(p, shares);

@@ -1,7 +1,7 @@
 // XSPH: the velocity that each particle moves with in the next step, beside its own.
 fn at_step(i: u32) -> Local {
   var a = local(i);
-  a.velocity = velocity_at_step(a.velocity, new_acceleration[i].xyz);
+  a.velocity = ahead[i].xyz;
   return a;
 }
 

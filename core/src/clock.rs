@@ -1,0 +1,110 @@
+//! The clock of a fluid: the next time step, and how much time has passed. Its formulas are terms, so that a device's clock shows
+//! the same bits.
+use crate::layout::{Model, Parameters, Status};
+use crate::passes::p23_look::Seen;
+use crate::terms::time_step::{clock_after, clock_due, clock_lost, step_half, step_inverse, step_limited, step_wanted};
+
+/// What became of the time step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TimeReport {
+    /// Simulated time, s.
+    pub time: f64,
+    /// The last step that counts, s; before the first one the first.
+    pub time_step: f32,
+    /// What the criteria asked for at its end, s; the same where all steps are alike.
+    pub wanted: f32,
+    /// The next step, s.
+    pub next: f32,
+    /// Steps that were undone and made again, shorter.
+    pub redone: u32,
+    /// Steps that should have been shorter than the shortest allowed.
+    pub held: u32,
+}
+
+/// The clock of a solver.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Clock {
+    time: f32,
+    lost: f32,
+    last: f32,
+    wanted: f32,
+    redone: u32,
+    held: u32,
+}
+
+impl Clock {
+    /// Before the first step: as long as the scene says, or as short as its state asks for.
+    pub(crate) fn start(m: &Model, p: &mut Parameters, seen: Seen) -> Clock {
+        if m.adaptive == 0 {
+            return Clock { last: p.time_step, wanted: p.time_step, ..Clock::default() };
+        }
+        let wanted = wanted(p, seen);
+        let limits = Parameters { time_step_growth: 1.0, ..*p };
+        set(p, step_limited::<f32>(&limits, wanted, p.time_step));
+        Clock { last: p.time_step, wanted, ..Clock::default() }
+    }
+
+    /// After a step by these parameters: sets those of the next one. False where the step is to be made again by them.
+    pub(crate) fn after(&mut self, m: &Model, p: &mut Parameters, seen: Seen) -> bool {
+        let step = p.time_step;
+        let mut wanted = step;
+        if m.adaptive == 1 {
+            wanted = self::wanted(p, seen);
+            let again = p.redo_above > 0.0 && wanted * p.redo_above < step && p.smallest_time_step < step;
+            self.redone = self.redone.wrapping_add(u32::from(again));
+            self.held = self.held.wrapping_add(u32::from(!again && wanted < p.smallest_time_step));
+            set(p, step_limited::<f32>(p, wanted, step));
+            if again {
+                return false;
+            }
+        }
+        (self.last, self.wanted) = (step, wanted);
+        let due = clock_due::<f32>(step, self.lost);
+        let time = clock_after::<f32>(self.time, due);
+        (self.time, self.lost) = (time, clock_lost::<f32>(self.time, due, time));
+        true
+    }
+
+    pub(crate) fn report(&self, p: &Parameters) -> TimeReport {
+        TimeReport {
+            time: f64::from(self.time) + f64::from(self.lost),
+            time_step: self.last,
+            wanted: self.wanted,
+            next: p.time_step,
+            redone: self.redone,
+            held: self.held,
+        }
+    }
+
+    /// Writes what a device goes on from.
+    pub(crate) fn fill(&self, p: &Parameters, status: &mut Status) {
+        (status.clock, status.clock_lost) = (self.time, self.lost);
+        (status.last_time_step, status.last_wanted) = (self.last, self.wanted);
+        (status.redone, status.held) = (self.redone, self.held);
+        (status.time_step, status.half_time_step) = (p.time_step, p.half_time_step);
+        status.inverse_time_step = p.inverse_time_step;
+    }
+}
+
+impl TimeReport {
+    /// As a device's status says it.
+    #[must_use]
+    pub fn of(status: &Status) -> TimeReport {
+        TimeReport {
+            time: f64::from(status.clock) + f64::from(status.clock_lost),
+            time_step: status.last_time_step,
+            wanted: status.last_wanted,
+            next: status.time_step,
+            redone: status.redone,
+            held: status.held,
+        }
+    }
+}
+
+fn wanted(p: &Parameters, seen: Seen) -> f32 {
+    step_wanted::<f32>(p, seen.fastest, seen.hardest, seen.loudest)
+}
+
+fn set(p: &mut Parameters, step: f32) {
+    (p.time_step, p.half_time_step, p.inverse_time_step) = (step, step_half::<f32>(step), step_inverse::<f32>(step));
+}

@@ -1,0 +1,57 @@
+//! Velocities at the end of the step, before there are any. Only for passes over pairs that need them beside those that forces
+//! are evaluated with.
+use super::{Setup, load_if_any, store_xyz};
+use crate::arithmetic::level::Work;
+use crate::arithmetic::real::Real;
+use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::layout::f32x4;
+use crate::memory::State;
+use crate::terms::integrate::velocity_after;
+
+struct Job<'a> {
+    setup: Setup<'a>,
+    velocity: &'a [f32x4],
+    acceleration: &'a [f32x4],
+    history: &'a [f32x4],
+    earlier: &'a [f32x4],
+    ahead: &'a mut [f32x4],
+}
+
+/// Fills `ahead`, kinds being its fourth numbers.
+pub(crate) fn run(setup: Setup<'_>, executor: &impl Executor, new: &State<'_>, earlier: &[f32x4], ahead: &mut [f32x4]) {
+    let mut rest = ahead;
+    let mut jobs = Jobs::new();
+    for slots in shares(new.id.len(), parts(executor)) {
+        let job = Job {
+            setup,
+            velocity: &new.velocity[slots.clone()],
+            acceleration: &new.acceleration[slots.clone()],
+            history: new.history.get(slots.clone()).unwrap_or_default(),
+            earlier: earlier.get(slots.clone()).unwrap_or_default(),
+            ahead: take(&mut rest, slots.len()),
+        };
+        let _ = jobs.push(job);
+    }
+    executor.run(&mut jobs, work);
+}
+
+/// Compiled once, in this crate: see [`PairPass::work`](super::pairs::PairPass::work).
+fn work(job: &mut Job<'_>) {
+    let simd = job.setup.simd;
+    simd.run(job);
+}
+
+impl Work for &mut Job<'_> {
+    #[inline(always)]
+    fn run<R: Real>(self) {
+        let (m, p) = (self.setup.model, self.setup.parameters);
+        let count = self.ahead.len();
+        self.ahead.copy_from_slice(self.velocity);
+        for first in (0..count).step_by(R::LANES) {
+            let end = (first + R::LANES).min(count);
+            let of = |array: &[f32x4]| load_if_any::<R>(array, first, end - 1);
+            let v = velocity_after(m, p, of(self.velocity), of(self.acceleration), of(self.earlier), of(self.history));
+            store_xyz(&mut self.ahead[first..end], v);
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! How time is stepped: what an integrator is good for, and how a time step follows from the state.
+use super::Integrator;
+
+impl Integrator {
+    /// Order of its global error where forces do not depend on velocity.
+    #[must_use]
+    pub fn order(self) -> u32 {
+        match self {
+            Integrator::Euler | Integrator::SemiImplicitEuler | Integrator::Clavet => 1,
+            Integrator::PositionCorrectedBeeman => 3,
+            _ => 2,
+        }
+    }
+
+    /// And where they do, with one evaluation a step; evaluated again, [`ModelChoice::reevaluate`](super::ModelChoice), those of
+    /// Verlet's and Beeman's kin that are of order 1 are of order 2.
+    #[must_use]
+    pub fn damped_order(self) -> u32 {
+        match self {
+            Integrator::VelocityCorrectedBeeman | Integrator::PositionCorrectedBeeman => 2,
+            _ => 1,
+        }
+    }
+
+    /// Does it keep areas in phase space, so that energy does not drift where there is no damping?
+    #[must_use]
+    pub fn is_symplectic(self) -> bool {
+        use Integrator::*;
+        matches!(self, SemiImplicitEuler | Verlet | VelocityVerlet | ModifiedVelocityVerlet | Leapfrog)
+    }
+
+    /// May one step be longer than the last? Not where what is remembered of the steps before is taken for one of the same
+    /// length.
+    #[must_use]
+    pub fn allows_changing_steps(self) -> bool {
+        use Integrator::*;
+        matches!(self, Euler | SemiImplicitEuler | VelocityVerlet | ModifiedVelocityVerlet | Leapfrog | Clavet)
+    }
+}
+
+/// A time step that follows from the state (S0 section 2.3.5; S3 section 3.3, step 5): the shortest that one of four criteria
+/// asks for, H being the support radius. A criterion that is `None` does not count.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
+pub struct Adaptive {
+    /// C of `C H / v`, v being the largest speed (S0 eq. 2.41; default 0.15).
+    pub speed: Option<f32>,
+    /// C of `C sqrt(H / a)`, a being the largest acceleration (default 0.15).
+    pub acceleration: Option<f32>,
+    /// C of `C H / c`, c being the largest speed of sound (S3; default 0.15). Has no say where pressure is corrected.
+    pub sound: Option<f32>,
+    /// C of `C H^2 / nu`, nu being the largest kinematic viscosity (default 0.03, which is 0.125 on half of the support).
+    pub viscosity: Option<f32>,
+    /// Shortest step, s (default 1e-7). Steps that should have been shorter are counted.
+    pub smallest: f32,
+    /// Longest step, s (default 0.01).
+    pub largest: f32,
+    /// Times that a step may be as long as the last one, 1 or more (default 1.1).
+    pub growth: f32,
+    /// A step that lasted more than so many times what the state at its end asks for is undone, and made again as short as that
+    /// (S0's option); 1 or more. Default: `None`, the next step is shorter.
+    pub redo_above: Option<f32>,
+}
+
+impl Default for Adaptive {
+    fn default() -> Self {
+        Adaptive {
+            speed: Some(0.15),
+            acceleration: Some(0.15),
+            sound: Some(0.15),
+            viscosity: Some(0.03),
+            smallest: 1e-7,
+            largest: 0.01,
+            growth: 1.1,
+            redo_above: None,
+        }
+    }
+}

@@ -1,0 +1,56 @@
+// What becomes of the step: it counts, it is made again, or nothing does any more; and the clock. One thread. Twin of the clock:
+// core/src/clock.rs.
+const NONE: u32 = 0xffffffffu;
+// Sets the next time step. False where this one is to be made again by it.
+fn counts() -> bool {
+  let step = p.time_step;
+  var wanted = step;
+  if m.adaptive == 1u {
+    let fastest = bitcast<f32>(atomicExchange(&head.status.fastest, 0u));
+    let hardest = bitcast<f32>(atomicExchange(&head.status.hardest, 0u));
+    let loudest = bitcast<f32>(atomicExchange(&head.status.loudest, 0u));
+    wanted = step_wanted(fastest, hardest, loudest);
+    let next = step_limited(wanted, step);
+    head.status.time_step = next;
+    head.status.half_time_step = step_half(next);
+    head.status.inverse_time_step = step_inverse(next);
+    if p.redo_above > 0.0f && wanted * p.redo_above < step && p.smallest_time_step < step {
+      atomicAdd(&head.status.redone, 1u);
+      return false;
+    }
+    if wanted < p.smallest_time_step { atomicAdd(&head.status.held, 1u); }
+  }
+  head.status.last_time_step = step;
+  head.status.last_wanted = wanted;
+  let due = clock_due(step, head.status.clock_lost);
+  let clock = clock_after(head.status.clock, due);
+  head.status.clock_lost = clock_lost(head.status.clock, due, clock);
+  head.status.clock = clock;
+  return true;
+}
+
+fn pass_body(thread: u32) {
+  if thread != 0u { return; }
+  let failed = atomicLoad(&head.status.failed);
+  if failed == 2u { atomicStore(&head.status.failed, 0u); }
+  if failed != 0u { return; }
+  let full = atomicLoad(&head.status.cell_full);
+  if full != NONE { atomicStore(&head.status.cell_count, atomicLoad(&head.counter[full])); }
+  if full != NONE || atomicLoad(&head.status.out_of_range) != NONE || atomicLoad(&head.status.not_finite) != NONE {
+    atomicStore(&head.status.failed, 1u);
+    return;
+  }
+  let iterations = atomicExchange(&head.status.iterations, 0u);
+  let refused = atomicExchange(&head.status.refused, 0u);
+  atomicStore(&head.status.settled, 0u);
+  if !counts() {
+    atomicStore(&head.status.failed, 2u);
+    return;
+  }
+  atomicAdd(&head.status.steps, 1u);
+  atomicStore(&head.status.last_iterations, iterations);
+  atomicAdd(&head.status.total_iterations, iterations);
+  // a count that is full stays so
+  atomicAdd(&head.status.air_refused, min(refused, NONE - atomicLoad(&head.status.air_refused)));
+  atomicStore(&head.status.air_alive, atomicLoad(&head.status.alive));
+}
