@@ -2,6 +2,7 @@
 use millpond::compare::{Difference, Paths, PerQuantity, compare, difference, ulp_distance};
 use millpond::fluid::Snapshot;
 use millpond::memory::Heap;
+use millpond::span::Span;
 use millpond_core::{Serial, Solver};
 
 mod support;
@@ -79,7 +80,7 @@ fn ulps_count_floats() {
 fn compare_tells_of_one_ulp_in_one_step() {
     let named = support::scaled("dam-break-2d", 200);
     let paths = Paths { cpu: true, threads: 2, devices: Vec::new() };
-    let clean = compare(&named, 8, &paths, &mut |_, _| ()).expect("a comparison");
+    let clean = compare(&named, Span::Steps(8), &paths, &mut |_, _| ()).expect("a comparison");
     assert!(clean.kept() && clean.pairs.iter().all(|p| p.bit_equal));
 
     let mut meddle = |step: u64, state: &mut Snapshot| {
@@ -87,7 +88,7 @@ fn compare_tells_of_one_ulp_in_one_step() {
             state.velocity[7][1] = state.velocity[7][1].next_up();
         }
     };
-    let told = compare(&named, 8, &paths, &mut meddle).expect("a comparison");
+    let told = compare(&named, Span::Steps(8), &paths, &mut meddle).expect("a comparison");
     assert!(!told.kept());
     let [meddled, others @ ..] = &told.pairs[..] else { panic!("no pairs") };
     assert_eq!((meddled.bit_equal, meddled.first_divergent_step, meddled.max_ulp.velocity), (false, Some(5), 1));

@@ -2,7 +2,7 @@
 //! the same bits.
 use crate::layout::{Model, Parameters, Status};
 use crate::passes::p23_look::Seen;
-use crate::terms::time_step::{clock_after, clock_due, clock_lost, step_half, step_inverse, step_limited, step_wanted};
+use crate::terms::time_step::{clock_after, clock_lost, step_half, step_inverse, step_limited, step_wanted};
 
 /// What became of the time step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -59,9 +59,8 @@ impl Clock {
             }
         }
         (self.last, self.wanted) = (step, wanted);
-        let due = clock_due::<f32>(step, self.lost);
-        let time = clock_after::<f32>(self.time, due);
-        (self.time, self.lost) = (time, clock_lost::<f32>(self.time, due, time));
+        let time = clock_after::<f32>(self.time, step);
+        (self.time, self.lost) = (time, clock_lost::<f32>(self.time, self.lost, step, time));
         true
     }
 

@@ -238,7 +238,7 @@ pub fn parameters(scene: &Scene) -> Parameters {
         largest_time_step: adaptive.largest,
         time_step_growth: adaptive.growth,
         redo_above: adaptive.redo_above.unwrap_or(0.0),
-        pad0: 0,
+        kinematic_viscosity: kinematic_viscosity(scene) as f32,
     }
 }
 

@@ -3,10 +3,11 @@ use crate::arithmetic::real::vec3;
 use crate::grid::{Cells, Stencil, cell_of, is_limbo};
 use crate::hash::tree_sum;
 use crate::layout::f32x4;
-use crate::passes::{is_dormant, p02_count, p04_scan, p05_place};
+use crate::passes::{is_dormant, kind, p02_count, p04_scan, p05_place};
 use crate::solver::Solver;
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use crate::terms::support::support_close;
+use crate::terms::time_step::{bounded_sound, bounded_square};
 
 /// How far the fluid is compressed beyond its rest density, as a share of it.
 ///
@@ -33,6 +34,19 @@ pub struct Energies {
     pub elastic: f64,
 }
 
+/// How far things come in a step: what [`Adaptive`](crate::scene::Adaptive) limits, on the support radius H.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Courant {
+    /// `v dt / H` of the fastest particle (S0 eq. 2.41; S1 section 6.6.2).
+    pub speed: f64,
+    /// `dt sqrt(a / H)` of the one that is accelerated most.
+    pub acceleration: f64,
+    /// `c dt / H`, c being the largest speed of sound; 0 where pressure is corrected.
+    pub sound: f64,
+    /// `nu dt / H^2`, nu being the largest kinematic viscosity.
+    pub viscosity: f64,
+}
+
 /// What became of the coat of air.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct AirReport {
@@ -53,6 +67,27 @@ impl Solver<'_> {
         let coat = self.slots().iter().skip(first);
         let alive = coat.filter(|&&slot| !self.is_wall(slot as usize)).count() as u32;
         AirReport { alive, refused: self.air_refused }
+    }
+
+    /// Courant numbers of a step of so many seconds that led to this state.
+    #[must_use]
+    pub fn courant(&self, time_step: f32) -> Courant {
+        let (state, p, m) = (self.state(), self.parameters(), &self.plan().model);
+        let largest =
+            |of: &dyn Fn(usize) -> f32| (0..state.id.len()).map(|slot| f64::from(of(slot))).fold(0.0, f64::max);
+        let speed2 = largest(&|slot| bounded_square(vec3::<f32>::splat(state.velocity[slot])));
+        let acceleration2 = largest(&|slot| bounded_square(vec3::<f32>::splat(state.acceleration[slot])));
+        let sound = largest(&|slot| {
+            let [.., sound, equation] = p.states[kind(state.velocity[slot][3])];
+            bounded_sound::<f32>(m, state.density_pressure[slot][0], sound, equation)
+        });
+        let (dt, support) = (f64::from(time_step), f64::from(p.support));
+        Courant {
+            speed: libm::sqrt(speed2) * dt / support,
+            acceleration: dt * libm::sqrt(libm::sqrt(acceleration2) / support),
+            sound: if m.corrects_pressure() { 0.0 } else { sound * dt / support },
+            viscosity: f64::from(p.kinematic_viscosity) * dt / (support * support),
+        }
     }
 
     /// Compression of the fluid.

@@ -1,7 +1,9 @@
 //! The arguments that commands share.
 use crate::failure::Failure;
 use crate::scenes::Changes;
+use crate::span::Span;
 use clap::{Args, ValueEnum};
+use millpond_core::scene::Scene;
 use std::path::PathBuf;
 
 /// Where a scene runs.
@@ -32,9 +34,6 @@ pub struct Common {
     pub out: Option<PathBuf>,
 }
 
-/// More steps than anybody means who names a time: a week of them.
-const MOST_STEPS: f64 = 1e9;
-
 /// How long a scene runs.
 #[derive(Clone, Copy, Debug, Default, Args)]
 pub struct Length {
@@ -47,20 +46,15 @@ pub struct Length {
 }
 
 impl Length {
-    /// As steps, `otherwise` seconds where nothing was said.
+    /// As a span, `otherwise` where nothing was said.
     ///
     /// # Errors
     /// A time that is none.
-    pub fn in_steps(self, otherwise: f64, time_step: f32) -> Result<u64, Failure> {
-        let seconds = self.time.unwrap_or(otherwise);
-        let steps = (seconds / f64::from(time_step)).round();
-        match self.steps {
-            Some(steps) => Ok(steps),
-            None if (0.0..MOST_STEPS).contains(&steps) => Ok(steps as u64),
-            None if steps >= MOST_STEPS => {
-                Err(Failure::Call(format!("{seconds} s in steps of {time_step} s are {steps:e} steps: name --steps")))
-            }
-            None => Err(Failure::Call(format!("--time {seconds} is no length of time"))),
+    pub fn of(self, scene: &Scene, otherwise: Span) -> Result<Span, Failure> {
+        match (self.steps, self.time) {
+            (Some(steps), _) => Ok(Span::Steps(steps)),
+            (None, Some(seconds)) => Span::of_seconds(scene, seconds),
+            (None, None) => Ok(otherwise),
         }
     }
 }

@@ -3,8 +3,8 @@ use crate::failure::Failure;
 use crate::fluid::Snapshot;
 use crate::memory::Heap;
 use millpond_core::layout::f32x4;
-use millpond_core::report::{DensityError, Energies};
-use millpond_core::scene::{Elasticity, GridStructure, Scene};
+use millpond_core::report::{Courant, DensityError, Energies};
+use millpond_core::scene::{Elasticity, GridStructure, Integrator, Scene};
 use millpond_core::{Needs, Plan, Solver};
 use serde::Serialize;
 
@@ -19,6 +19,8 @@ pub struct Census {
     pub energies: Energies,
     /// Fastest particle, m/s.
     pub fastest: f64,
+    /// Courant numbers of the step before it.
+    pub courant: Courant,
 }
 
 /// A number at the first and at the last step.
@@ -45,11 +47,11 @@ impl From<DensityError> for MeanMax {
     }
 }
 
-/// Takes the census of a state of `scene`.
+/// Takes the census of a state of `scene`, to which a step of so many seconds led.
 ///
 /// # Errors
 /// A state that no step could start from.
-pub fn census(scene: &Scene, state: &Snapshot) -> Result<Census, Failure> {
+pub fn census(scene: &Scene, state: &Snapshot, time_step: f32) -> Result<Census, Failure> {
     let count = state.position.len();
     // walls may have moved particles into cells that are full: the index sort takes any number
     let mut scene = scene.clone();
@@ -57,6 +59,8 @@ pub fn census(scene: &Scene, state: &Snapshot) -> Result<Census, Failure> {
     // springs are made where particles start, and this is not where they did
     std::iter::once(&mut scene.fluid).chain(&mut scene.other_fluids).for_each(|fluid| fluid.elastic_stiffness = 0.0);
     scene.elasticity = Elasticity::default();
+    // nor does an integrator remember anything of them
+    (scene.model.integrator, scene.model.reevaluate, scene.adaptive) = (Integrator::default(), false, None);
     let scene = &scene;
     let mut heap = Heap::with(Needs { particles: count, ..Needs::of(scene) });
     let solver = Solver::with_particles(scene, Plan::of(scene), count, state.places(), heap.lend());
@@ -66,6 +70,7 @@ pub fn census(scene: &Scene, state: &Snapshot) -> Result<Census, Failure> {
         average_neighbours: solver.average_neighbours(),
         density_error: solver.density_error(),
         energies: solver.energies(),
+        courant: solver.courant(time_step),
         fastest: state.velocity.iter().map(speed).fold(0.0, f64::max),
     })
 }

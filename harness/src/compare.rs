@@ -6,6 +6,7 @@ use crate::memory::Heap;
 use crate::output::{deliver, progress};
 use crate::pool::Pool;
 use crate::scenes::{MOST_BYTES, Named, load};
+use crate::span::Span;
 use crate::timing::{Milliseconds, timed};
 use millpond_core::scene::{GridStructure, Scene};
 use millpond_core::{Needs, Simd, Solver};
@@ -68,8 +69,7 @@ impl Path<'_> {
 pub fn execute(options: &Options) -> Result<bool, Failure> {
     let named = load(&options.common.scene, &options.common.changes)?;
     let file = &named.file;
-    let default_time = DEFAULT_STEPS as f64 * f64::from(file.scene.time_step);
-    let steps = options.length.in_steps(default_time, file.scene.time_step)?;
+    let span = options.length.of(&file.scene, Span::Steps(DEFAULT_STEPS))?;
     let gpu = match options.backend {
         Some(BackendName::Cpu) => None,
         Some(BackendName::Gpu) => Some(Gpu::open(None, Mode::Strict)?),
@@ -81,7 +81,7 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
         threads: if options.common.threads == 0 { 2 } else { options.common.threads },
         devices: gpu.into_iter().chain(plain).collect(),
     };
-    let comparison = compare(&named, steps, &paths, &mut |_, _| ())?;
+    let comparison = compare(&named, span, &paths, &mut |_, _| ())?;
     deliver(&options.common, "compare.md", &comparison, &table(&comparison))?;
     Ok(comparison.kept())
 }
@@ -109,14 +109,14 @@ fn other_grid(scene: &Scene, solver: &mut Solver<'_>) -> Scene {
     other
 }
 
-/// Holds every path against the scalar one over `steps` steps. `meddle` may change what the first of them says before it
+/// Holds every path against the scalar one over a span. `meddle` may change what the first of them says before it
 /// is looked at: so a test shows that the comparison can fail.
 ///
 /// # Errors
 /// A scene that cannot run; a step that the scalar path cannot make. A path that fails alone is told in its pair.
 pub fn compare(
     named: &Named,
-    steps: u64,
+    span: Span,
     paths: &Paths,
     meddle: &mut dyn FnMut(u64, &mut Snapshot),
 ) -> Result<Comparison, Failure> {
@@ -155,9 +155,11 @@ pub fn compare(
         }
     }
 
-    let bar = progress(&format!("compare {}", named.name), steps);
+    let bar = progress(&format!("compare {}", named.name), span.length() as u64);
     let mut times = Vec::new();
-    for step in 1..=steps {
+    let mut step = 0;
+    while span.passed(step, reference.time()) < span.length() {
+        step += 1;
         let (made, ms) = timed(|| reference.step(&one));
         made?;
         times.push(ms);
@@ -179,12 +181,12 @@ pub fn compare(
                 rival.pair.note(step, found, scene);
             }
         }
-        bar.inc(1);
+        bar.set_position(span.passed(step, reference.time()) as u64);
     }
     bar.finish_and_clear();
     Ok(Comparison {
         scene: named.name.clone(),
-        steps,
+        steps: step,
         particles: reference.slots().len(),
         hash: format!("{:016x}", reference.hash()),
         ms_per_step: Milliseconds::of(&times),

@@ -8,7 +8,7 @@ use millpond_core::hash::state_hash;
 use millpond_core::layout::{Parameters, f32x4, u32x2, u32x4};
 use millpond_core::scene::{Place, Scene};
 use millpond_core::springs::energy;
-use millpond_core::{AirReport, CorrectionReport, Plan, Solver};
+use millpond_core::{AirReport, CorrectionReport, Plan, Solver, TimeReport};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 
 /// Set to `1`, it turns a missing GPU into a failure, so that no comparison is skipped unseen.
@@ -58,6 +58,8 @@ pub struct Snapshot {
     pub surface: Vec<f32x4>,
     /// Ends of springs, each particle's side by side; empty where the scene has none.
     pub spring_ends: Vec<u32x2>,
+    /// The next time step, s.
+    pub time_step: f32,
 }
 
 impl Snapshot {
@@ -73,14 +75,22 @@ impl Snapshot {
         }
     }
 
-    /// And what only some scenes have: normals with the curvature that is kept beside accelerations, ends of springs.
-    fn with(mut self, slots: &[u32], normal: &[f32x4], acceleration: &[f32x4], ends: &[u32x2]) -> Snapshot {
+    /// And what only some scenes have: normals with the curvature that is kept beside accelerations, ends of springs, a time
+    /// step of its own.
+    fn with(
+        mut self,
+        slots: &[u32],
+        [normal, acceleration]: [&[f32x4]; 2],
+        ends: &[u32x2],
+        time_step: f32,
+    ) -> Snapshot {
         let of = |&slot: &u32| {
             let [x, y, z, _] = *normal.get(slot as usize)?;
             Some([x, y, z, acceleration.get(slot as usize)?[3]])
         };
         self.surface = slots.iter().filter_map(of).collect();
         self.spring_ends = ends.to_vec();
+        self.time_step = time_step;
         self
     }
 
@@ -111,9 +121,9 @@ impl Snapshot {
         let state = solver.state();
         Snapshot::of(solver.slots(), [state.position, state.velocity, state.density_pressure, state.heat]).with(
             solver.slots(),
-            state.normal,
-            state.acceleration,
+            [state.normal, state.acceleration],
             solver.spring_ends(),
+            solver.time_report().next,
         )
     }
 
@@ -125,7 +135,8 @@ impl Snapshot {
         let state = solver.read()?;
         let slots = state.slots();
         let known = Snapshot::of(&slots, [&state.position, &state.velocity, &state.density_pressure, &state.heat]);
-        Ok(known.with(&slots, &state.normal, &state.acceleration, &state.spring_ends))
+        let next = solver.time_report()?.next;
+        Ok(known.with(&slots, [&state.normal, &state.acceleration], &state.spring_ends, next))
     }
 }
 
@@ -182,6 +193,17 @@ impl<'a> Fluid<'a> {
         match self {
             Fluid::Cpu { solver, .. } => Ok(solver.correction()),
             Fluid::Gpu { solver, .. } => Ok(solver.correction()?),
+        }
+    }
+
+    /// What became of the time step.
+    ///
+    /// # Errors
+    /// The device failed.
+    pub fn time_report(&self) -> Result<TimeReport, Failure> {
+        match self {
+            Fluid::Cpu { solver, .. } => Ok(solver.time_report()),
+            Fluid::Gpu { solver, .. } => Ok(solver.time_report()?),
         }
     }
 

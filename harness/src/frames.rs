@@ -3,6 +3,7 @@ use crate::failure::Failure;
 use crate::fluid::Snapshot;
 use crate::paint::{Colouring, Frame, Swatch, View, paint};
 use crate::scenes::{Camera, Named, SceneFile, Shade};
+use crate::span::Span;
 use glam::Vec3;
 use millpond_core::layout::f32x4;
 use millpond_core::scene::{Dimension, Fluid, Kind, Scene, WallShape, kind_of};
@@ -18,7 +19,7 @@ const RADIUS: f32 = 0.55;
 #[derive(Debug)]
 pub struct Film<'a> {
     scene: Option<(&'a Named, PathBuf)>,
-    steps: std::collections::VecDeque<u64>,
+    at: std::collections::VecDeque<f64>,
     pictures: Vec<PathBuf>,
 }
 
@@ -26,38 +27,49 @@ impl<'a> Film<'a> {
     /// No pictures.
     #[must_use]
     pub fn none() -> Film<'a> {
-        Film { scene: None, steps: std::collections::VecDeque::new(), pictures: Vec::new() }
+        Film { scene: None, at: std::collections::VecDeque::new(), pictures: Vec::new() }
     }
 
-    /// `count` pictures in `folder`, but no more than there are states: the last of them after the last of `steps` steps,
-    /// the first, where there is more than one, of the start.
+    /// `count` pictures in `folder`, but no more than there are states: the last of them at the end of the span, the first,
+    /// where there is more than one, of the start.
     #[must_use]
-    pub fn new(named: &'a Named, folder: &Path, count: u64, steps: u64) -> Film<'a> {
-        let count = count.min(steps.saturating_add(1));
-        let parts = u128::from(count.saturating_sub(1).max(1));
-        let before_end = |i: u64| (u128::from(steps) * u128::from(i) / parts) as u64;
-        let at: Vec<u64> = (0..count).rev().map(|i| steps - before_end(i)).collect();
-        Film { scene: Some((named, folder.to_owned())), steps: at.into(), pictures: Vec::new() }
+    pub fn new(named: &'a Named, folder: &Path, count: u64, span: Span) -> Film<'a> {
+        let at = match span {
+            Span::Steps(steps) => {
+                let count = count.min(steps.saturating_add(1));
+                let parts = u128::from(count.saturating_sub(1).max(1));
+                let before_end = |i: u64| (u128::from(steps) * u128::from(i) / parts) as u64;
+                (0..count).rev().map(|i| (steps - before_end(i)) as f64).collect()
+            }
+            Span::Seconds(seconds) => {
+                let parts = count.saturating_sub(1).max(1) as f64;
+                (0..count).rev().map(|i| seconds * (1.0 - i as f64 / parts)).collect()
+            }
+        };
+        Film { scene: Some((named, folder.to_owned())), at, pictures: Vec::new() }
     }
 
-    /// The step whose state is to be drawn next.
+    /// When the next state is to be drawn, in the unit of the span.
     #[must_use]
-    pub fn next_step(&self) -> Option<u64> {
-        self.steps.front().copied()
+    pub fn next(&self) -> Option<f64> {
+        self.at.front().copied()
     }
 
-    /// Draws the state after `step` steps, if it is one of the film's.
+    /// Draws the state after `passed` of the span and `time` seconds, if a picture is due.
     ///
     /// # Errors
     /// The picture cannot be written.
-    pub fn shoot(&mut self, step: u64, state: &Snapshot) -> Result<(), Failure> {
+    pub fn shoot(&mut self, passed: f64, time: f64, state: &Snapshot) -> Result<(), Failure> {
         let Some((named, folder)) = &self.scene else { return Ok(()) };
-        if self.next_step() != Some(step) {
+        if self.next().is_none_or(|due| passed < due) {
             return Ok(());
         }
-        self.steps.pop_front();
+        // of several that are due in one step one is drawn
+        while self.next().is_some_and(|due| passed >= due) {
+            self.at.pop_front();
+        }
         let path = folder.join(format!("{}-{:04}.png", named.name, self.pictures.len()));
-        draw(named, step, state, &path)?;
+        draw(named, time, state, &path)?;
         self.pictures.push(path);
         Ok(())
     }
@@ -70,12 +82,11 @@ impl<'a> Film<'a> {
 }
 
 /// Draws one state.
-fn draw(named: &Named, step: u64, state: &Snapshot, path: &Path) -> Result<(), Failure> {
+fn draw(named: &Named, time: f64, state: &Snapshot, path: &Path) -> Result<(), Failure> {
     let scene = &named.file.scene;
     let bounds = bounds(scene, state);
     let cast = Cast::of(&named.file, state);
     let positions: Vec<f32x4> = cast.beads.iter().map(|bead| bead.position).collect();
-    let time = step as f64 * f64::from(scene.time_step);
     let caption = format!("{}   t = {time:.2} s   {} particles", named.name, cast.present);
     let frame = Frame {
         positions: &positions,
@@ -173,8 +184,12 @@ fn bounds(scene: &Scene, state: &Snapshot) -> [Vec3; 2] {
     if let Some(container) = &scene.container {
         return [flat(container.low), flat(container.high)];
     }
-    let corners = scene.blocks.iter().map(|b| (Vec3::from(b.corner), Vec3::from(b.corner) + Vec3::from(b.size)));
-    let joined = corners.reduce(|(low, high), (a, b)| (low.min(a), high.max(b)));
+    let blocks = scene.blocks.iter().map(|b| (Vec3::from(b.corner), Vec3::from(b.corner) + Vec3::from(b.size)));
+    let walls = scene.walls.iter().map(|w| {
+        let (WallShape::Plane { low, high, .. } | WallShape::Box { low, high, .. }) = &w.shape;
+        (flat(*low), flat(*high))
+    });
+    let joined = blocks.chain(walls).reduce(|(low, high), (a, b)| (low.min(a), high.max(b)));
     let (low, high) = joined.unwrap_or_else(|| {
         let at = state.position.first().map_or(Vec3::ZERO, |x| Vec3::new(x[0], x[1], x[2]));
         (at - 1.0, at + 1.0)

@@ -24,6 +24,7 @@ pub mod pool;
 pub mod run;
 pub mod scenes;
 pub mod showcase;
+pub mod span;
 pub mod timing;
 pub mod warnings;
 

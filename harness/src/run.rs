@@ -8,12 +8,13 @@ use crate::memory::Heap;
 use crate::output::{deliver, make_folder, progress};
 use crate::pool::Pool;
 use crate::scenes::{Named, load};
+use crate::span::Span;
 use crate::timing::{Milliseconds, timed};
 use crate::warnings::warnings;
 use millpond_core::guided::particle_mass;
 use millpond_core::layout::f32x4;
 use millpond_core::scene::{EquationOfState, Kind, Scene, kind_of};
-use millpond_core::{AirReport, CorrectionReport};
+use millpond_core::{AirReport, CorrectionReport, TimeReport};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -53,6 +54,10 @@ pub struct Outcome {
     pub ms_per_step: Milliseconds,
     /// Neighbours of a particle, itself counted.
     pub average_neighbours: FirstLast,
+    /// Time steps that were made, s.
+    pub time_step: TimeSteps,
+    /// Courant numbers of the last step, on the support radius.
+    pub courant: Courant,
     /// Compression beyond the rest density, as a share of it, after the last step.
     pub density_error: MeanMax,
     /// Energies before the first and after the last step, J (per metre of depth in 2D).
@@ -67,6 +72,58 @@ pub struct Outcome {
     pub warnings: Vec<String>,
     /// Pictures drawn.
     pub pictures: Vec<PathBuf>,
+}
+
+/// Time steps of a run. On a GPU the smallest and largest are of those between two looks at its status.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct TimeSteps {
+    /// Smallest, s.
+    pub smallest: f64,
+    /// Largest, s.
+    pub largest: f64,
+    /// The last, s.
+    pub last: f64,
+    /// Steps that were undone and made again, shorter.
+    pub redone: u32,
+    /// Steps that should have been shorter than the shortest allowed.
+    pub held: u32,
+}
+
+/// Courant numbers: what [`Adaptive`](millpond_core::scene::Adaptive) limits.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Courant {
+    /// `v dt / H` of the fastest particle.
+    pub speed: f64,
+    /// `dt sqrt(a / H)` of the one that is accelerated most.
+    pub acceleration: f64,
+    /// `c dt / H`; 0 where pressure is corrected.
+    pub sound: f64,
+    /// `nu dt / H^2`.
+    pub viscosity: f64,
+}
+
+impl From<millpond_core::report::Courant> for Courant {
+    fn from(courant: millpond_core::report::Courant) -> Courant {
+        let millpond_core::report::Courant { speed, acceleration, sound, viscosity } = courant;
+        Courant { speed, acceleration, sound, viscosity }
+    }
+}
+
+/// Smallest and largest step so far, s.
+#[derive(Clone, Copy, Debug)]
+struct StepLengths {
+    smallest: f32,
+    largest: f32,
+}
+
+impl StepLengths {
+    fn of(step: f32) -> StepLengths {
+        StepLengths { smallest: step, largest: step }
+    }
+
+    fn add(&mut self, step: f32) {
+        (self.smallest, self.largest) = (self.smallest.min(step), self.largest.max(step));
+    }
 }
 
 /// Energies of the fluid.
@@ -111,16 +168,17 @@ const STEPS_AT_ONCE: u64 = 16;
 /// A scene that cannot run, a step that cannot be made, files that cannot be written.
 pub fn execute(options: &Options) -> Result<bool, Failure> {
     let named = load(&options.common.scene, &options.common.changes)?;
-    let steps = options.length.in_steps(named.file.duration, named.file.scene.time_step)?;
+    let scene = &named.file.scene;
+    let span = options.length.of(scene, Span::of_seconds(scene, named.file.duration)?)?;
     let pool = Pool::new(options.common.threads)?;
     let frames = options.frames.unwrap_or(1);
     let folder = options.common.out.as_deref();
-    let outcome = run(&named, options.backend, &pool, steps, folder.map(|folder| (folder, frames)))?;
+    let outcome = run(&named, options.backend, &pool, span, folder.map(|folder| (folder, frames)))?;
     deliver(&options.common, "report.md", &outcome, &report(&named, &outcome))?;
     Ok(true)
 }
 
-/// Runs a scene for `steps` steps, with so many pictures in that folder.
+/// Runs a scene for so long, with so many pictures in that folder.
 ///
 /// # Errors
 /// As for [`execute`].
@@ -128,37 +186,44 @@ pub fn run(
     named: &Named,
     backend: BackendName,
     pool: &Pool,
-    steps: u64,
+    span: Span,
     pictures: Option<(&Path, u64)>,
 ) -> Result<Outcome, Failure> {
     let scene = &named.file.scene;
     let mut heap = Heap::of(scene);
     let mut fluid = Fluid::start(named, backend, &mut heap, pool)?;
     let first = fluid.snapshot()?;
-    let first_census = census(scene, &first)?;
+    let first_census = census(scene, &first, scene.time_step)?;
     let first_elastic = fluid.elastic_energy(&first);
     let mut film = Film::none();
     if let Some((folder, count)) = pictures {
         make_folder(folder)?;
-        film = Film::new(named, folder, count, steps);
+        film = Film::new(named, folder, count, span);
     }
 
-    let bar = progress(&format!("run {}", named.name), steps);
+    // a bar counts whole numbers: steps, or thousandths of a time
+    let per_unit = if matches!(span, Span::Steps(_)) { 1.0 } else { 1000.0 / span.length() };
+    let bar = progress(&format!("run {}", named.name), (span.length() * per_unit) as u64);
     let mut times = Vec::new();
     let mut done = 0;
-    film.shoot(0, &first)?;
+    let mut clock = fluid.time_report()?;
+    let mut steps_taken = StepLengths::of(clock.next);
+    film.shoot(0.0, 0.0, &first)?;
     let start = std::time::Instant::now();
-    while done < steps {
-        let until = film.next_step().unwrap_or(steps).clamp(done + 1, steps);
+    while span.passed(done, clock.time) < span.length() {
+        let until = film.next().unwrap_or(span.length()).min(span.length());
         let at_once = if backend == BackendName::Gpu { STEPS_AT_ONCE } else { 1 };
-        let count = at_once.min(until - done);
+        let count = span.steps_to(until, done, clock, scene, at_once);
         let (result, ms) = timed(|| fluid.step(count as u32));
         result?;
         times.push(ms / count as f64);
         done += count;
-        bar.inc(count);
-        if film.next_step() == Some(done) {
-            film.shoot(done, &fluid.snapshot()?)?;
+        clock = fluid.time_report()?;
+        steps_taken.add(clock.time_step);
+        let passed = span.passed(done, clock.time);
+        bar.set_position((passed * per_unit) as u64);
+        if film.next().is_some_and(|due| passed >= due) {
+            film.shoot(passed, clock.time, &fluid.snapshot()?)?;
         }
     }
     let wall_s = start.elapsed().as_secs_f64();
@@ -179,20 +244,29 @@ pub fn run(
         }
         None => None,
     };
-    let last_census = census(scene, &last)?;
+    let last_census = census(scene, &last, clock.time_step)?;
     let neighbours = FirstLast { first: first_census.average_neighbours, last: last_census.average_neighbours };
     let refused = air.map_or(0, |air: Air| air.refused);
-    let warnings = warnings(scene, last_census.fastest, last_census.density_error.mean, refused);
+    let mut warnings = warnings(scene, clock.time_step, &last_census, refused);
+    warnings.extend(held(&clock));
     Ok(Outcome {
         scene: named.name.clone(),
         backend: fluid.backend(),
         particles: last.position.len(),
         wall_particles: scene.wall_count(),
         steps: done,
-        simulated_s: done as f64 * f64::from(scene.time_step),
+        simulated_s: clock.time,
         wall_s,
         ms_per_step: Milliseconds::of(&times),
         average_neighbours: neighbours,
+        time_step: TimeSteps {
+            smallest: f64::from(steps_taken.smallest),
+            largest: f64::from(steps_taken.largest),
+            last: f64::from(clock.time_step),
+            redone: clock.redone,
+            held: clock.held,
+        },
+        courant: last_census.courant.into(),
         density_error: last_census.density_error.into(),
         energy: Energy {
             kinetic: FirstLast { first: first_census.energies.kinetic, last: last_census.energies.kinetic },
@@ -214,6 +288,14 @@ pub fn run(
     })
 }
 
+/// Was a step longer than it should have been, because none may be shorter?
+fn held(clock: &TimeReport) -> Option<String> {
+    (clock.held > 0).then(|| {
+        let (held, wanted) = (clock.held, clock.wanted);
+        format!("{held} steps should have been shorter than adaptive.smallest (the last one wanted {wanted:.1e} s)")
+    })
+}
+
 /// The outcome as a page.
 #[must_use]
 pub fn report(named: &Named, outcome: &Outcome) -> String {
@@ -225,6 +307,15 @@ pub fn report(named: &Named, outcome: &Outcome) -> String {
     row("particles", o.particles.to_string());
     row("steps", format!("{} ({:.3} s simulated, {:.1} s here)", o.steps, o.simulated_s, o.wall_s));
     row("ms a step", format!("{:.2} at least, {:.2} median", o.ms_per_step.min, o.ms_per_step.median));
+    let TimeSteps { smallest, largest, last, redone, .. } = o.time_step;
+    if smallest < largest || redone > 0 {
+        let words = format!("{smallest:.2e} to {largest:.2e} s, the last {last:.2e} s, {redone} made again");
+        row("time step", words);
+    }
+    let Courant { speed, acceleration, sound, viscosity } = o.courant;
+    let numbers =
+        format!("speed {speed:.3}, acceleration {acceleration:.3}, sound {sound:.3}, viscosity {viscosity:.4}");
+    row("Courant numbers", numbers);
     row("neighbours", format!("{:.1} first, {:.1} last", o.average_neighbours.first, o.average_neighbours.last));
     let MeanMax { mean, max } = o.density_error;
     row("compression", format!("{:.2} % mean, {:.1} % largest", mean * 100.0, max * 100.0));

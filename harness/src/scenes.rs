@@ -70,6 +70,7 @@ pub const BUILT_IN: &[(&str, &str)] = built_in!(
     "thesis-cube",
     "viscosity-cubes",
     "channel",
+    "corrected-column",
     "stiff-tank",
     "elastic-cube",
     "two-fluids",

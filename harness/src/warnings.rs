@@ -1,13 +1,19 @@
 //! What a user should know of a scene that ran: choices that are known to end badly, and limits of the time step.
+use crate::census::Census;
 use millpond_core::guided::{average_neighbours, support_radius};
 use millpond_core::kernel::slope;
 use millpond_core::kinds::spring_pull;
-use millpond_core::scene::{Dimension, EquationOfState, Fluid, Kernel, NearPressure, Scene, SurfaceTension};
+use millpond_core::report::Courant;
+use millpond_core::scene::{Dimension, Fluid, Kernel, NearPressure, Scene, SurfaceTension};
 use std::f64::consts::PI;
 
 /// Largest share of its support that sound and the fastest particle together may cross in a step: past it explicit
 /// integration loses pairs it should have felt (Monaghan 1992).
 const COURANT_LIMIT: f64 = 0.4;
+
+/// Share of `H^2 / nu` that a step may last: twice the 0.125 of Morris et al. 1997 on half of the support, which is the
+/// careful choice of an adaptive step.
+const DIFFUSION_LIMIT: f64 = 0.0625;
 
 /// Share of `sqrt(rho h^3 / (2 pi sigma))` that a step may last, h being half of the support (Brackbill et al. 1992).
 const CAPILLARY_LIMIT: f64 = 0.25;
@@ -18,14 +24,16 @@ const SPRING_LIMIT: f64 = 1.0;
 /// Compression, in the mean, from which on a fluid is not what it was meant to be.
 const COMPRESSION_LIMIT: f64 = 0.03;
 
-/// All that there is to say: of a state whose fastest particle moves with so many m/s, whose fluid is compressed by this mean
-/// share, and where so many births of air found no particle.
+/// All that there is to say: of a state to which a step of so many seconds led, and where so many births of air found no
+/// particle.
 #[must_use]
-pub fn warnings(scene: &Scene, fastest: f64, compression: f64, births_refused: u64) -> Vec<String> {
+pub fn warnings(scene: &Scene, time_step: f32, state: &Census, births_refused: u64) -> Vec<String> {
+    let time_step = f64::from(time_step);
     let mut warnings = Vec::new();
-    warnings.extend(courant(scene, fastest));
-    warnings.extend(scene.fluids().find_map(|fluid| capillary(scene, fluid)));
-    warnings.extend(scene.fluids().find_map(|fluid| springs(scene, fluid)));
+    warnings.extend(courant(state.courant));
+    warnings.extend(diffusion(state.courant));
+    warnings.extend(scene.fluids().find_map(|fluid| capillary(scene, fluid, time_step)));
+    warnings.extend(scene.fluids().find_map(|fluid| springs(scene, fluid, time_step)));
     if scene.model.near_pressure != NearPressure::Off && !scene.model.suction {
         warnings
             .push("near pressure without suction has nothing to balance it: this liquid will expand like a gas".into());
@@ -39,6 +47,7 @@ pub fn warnings(scene: &Scene, fastest: f64, compression: f64, births_refused: u
         warnings.push("a bare surface found no air left to be made: a larger air.capacity covers all of it".into());
     }
     warnings.extend(pairing(scene));
+    let compression = state.density_error.mean;
     if compression > COMPRESSION_LIMIT {
         let percent = compression * 100.0;
         warnings.push(format!(
@@ -48,20 +57,28 @@ pub fn warnings(scene: &Scene, fastest: f64, compression: f64, births_refused: u
     warnings
 }
 
-fn courant(scene: &Scene, fastest: f64) -> Option<String> {
-    // sound that is iterated for does not limit the step
-    let iterated = scene.model.equation_of_state == EquationOfState::PressureCorrection;
-    let sound = if iterated { 0.0 } else { scene.fluids().map(|fluid| fluid.speed_of_sound).fold(0.0, f32::max) };
-    let courant = (f64::from(sound) + fastest) * f64::from(scene.time_step) / support_radius(scene);
+fn courant(Courant { speed, sound, .. }: Courant) -> Option<String> {
+    let courant = sound + speed;
     (courant > COURANT_LIMIT).then(|| {
         format!(
-            "Courant number {courant:.2} is larger than {COURANT_LIMIT}: a smaller time_step or speed_of_sound is safer"
+            "Courant number {courant:.2} is larger than {COURANT_LIMIT}: a smaller time_step or speed_of_sound is safer, \
+             and adaptive finds one"
+        )
+    })
+}
+
+/// Does viscosity reach further in a step than the neighbours it acts on?
+fn diffusion(Courant { viscosity, .. }: Courant) -> Option<String> {
+    (viscosity > DIFFUSION_LIMIT).then(|| {
+        format!(
+            "viscosity needs a time_step {:.1} times smaller: explicit diffusion turns velocities round (Morris et al. 1997)",
+            viscosity / DIFFUSION_LIMIT
         )
     })
 }
 
 /// Does a step last longer than the waves of the surface allow?
-fn capillary(scene: &Scene, fluid: &Fluid) -> Option<String> {
+fn capillary(scene: &Scene, fluid: &Fluid, time_step: f64) -> Option<String> {
     let curved = matches!(scene.model.surface_tension, SurfaceTension::Curvature | SurfaceTension::NormalCurvature);
     let sigma = f64::from(fluid.surface_tension);
     if !curved || sigma == 0.0 {
@@ -69,16 +86,16 @@ fn capillary(scene: &Scene, fluid: &Fluid) -> Option<String> {
     }
     let h = support_radius(scene) / 2.0;
     let most = CAPILLARY_LIMIT * (f64::from(fluid.rest_density) * h.powi(3) / (2.0 * PI * sigma)).sqrt();
-    (f64::from(scene.time_step) > most)
+    (time_step > most)
         .then(|| format!("waves of the surface need a time_step of at most {most:.1e} s (Brackbill et al. 1992)"))
 }
 
 /// Does a step last longer than a particle on all of its springs allows?
-fn springs(scene: &Scene, fluid: &Fluid) -> Option<String> {
+fn springs(scene: &Scene, fluid: &Fluid, time_step: f64) -> Option<String> {
     // each of them pulls with half of its stiffness, and those along a direction are a share of all
     let ends = scene.springs_of_particle() as f64 / scene.dimension.count() as f64;
     let omega = (spring_pull(scene, fluid) * ends).sqrt();
-    (omega * f64::from(scene.time_step) > SPRING_LIMIT)
+    (omega * time_step > SPRING_LIMIT)
         .then(|| format!("springs need a time_step of at most {:.1e} s", SPRING_LIMIT / omega))
 }
 

@@ -81,6 +81,7 @@ fn documents_have_the_keys_that_others_rely_on() {
         "thesis-cube",
         "viscosity-cubes",
         "channel",
+        "corrected-column",
         "stiff-tank",
         "elastic-cube",
         "two-fluids",

@@ -153,8 +153,8 @@ shared! {
         pub time_step_growth: f32,
         /// A step is made again where it lasted more than so many times what it should have; 0: never.
         pub redo_above: f32,
-        /// Unused.
-        pub pad0: u32,
+        /// Largest kinematic viscosity, m2/s.
+        pub kinematic_viscosity: f32,
     }
 }
 

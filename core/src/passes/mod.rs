@@ -45,7 +45,7 @@ pub(crate) struct Setup<'a> {
 
 /// The kind of a particle; `w` is the fourth number of its velocity.
 #[inline(always)]
-fn kind(w: f32) -> usize {
+pub(crate) fn kind(w: f32) -> usize {
     (w as usize).min(SPECIES - 1)
 }
 

@@ -57,7 +57,7 @@ pub struct ModelChoice {
 impl Default for ModelChoice {
     fn default() -> Self {
         ModelChoice {
-            integrator: Integrator::ModifiedVelocityVerlet,
+            integrator: Integrator::default(),
             reevaluate: false,
             density_kernel: Kernel::Poly6,
             pressure_kernel: Kernel::Spiky,

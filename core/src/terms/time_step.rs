@@ -58,21 +58,14 @@ pub fn step_inverse<R: Real>(step: R) -> R {
     return div(one, step);
 }
 
-/// A step and what the clock could not show so far, s. The clock is two numbers, of which the second is what the sum lost
-/// (Kahan 1965).
+/// The clock after a step, s. It is two numbers, of which the second is what the sums lost (Dekker 1971).
 #[inline(always)]
-pub fn clock_due<R: Real>(step: R, lost: R) -> R {
-    return step + lost;
+pub fn clock_after<R: Real>(clock: R, step: R) -> R {
+    return clock + step;
 }
 
-/// The clock after it, s.
+/// What the sums lost, this one too, s: exact, the clock being 0 or no smaller than a step.
 #[inline(always)]
-pub fn clock_after<R: Real>(clock: R, due: R) -> R {
-    return clock + due;
-}
-
-/// What that sum lost, s.
-#[inline(always)]
-pub fn clock_lost<R: Real>(clock: R, due: R, after: R) -> R {
-    return due - (after - clock);
+pub fn clock_lost<R: Real>(clock: R, lost: R, step: R, after: R) -> R {
+    return lost + (step - (after - clock));
 }

@@ -22,9 +22,9 @@ fn counts() -> bool {
   }
   head.status.last_time_step = step;
   head.status.last_wanted = wanted;
-  let due = clock_due(step, head.status.clock_lost);
-  let clock = clock_after(head.status.clock, due);
-  head.status.clock_lost = clock_lost(head.status.clock, due, clock);
+  let before = head.status.clock;
+  let clock = clock_after(before, step);
+  head.status.clock_lost = clock_lost(before, head.status.clock_lost, step, clock);
   head.status.clock = clock;
   return true;
 }

@@ -21,6 +21,7 @@ mod pressure_correction;
 mod rayleigh_taylor;
 mod reference;
 mod ripple;
+mod stiff_tank;
 mod still_tank;
 mod strata;
 mod swing;
@@ -93,6 +94,11 @@ pub const STUDIES: &[Study] = &[
     },
     Study { name: "hydrostatic", about: "pressure in a tank at rest rises as its depth", run: hydrostatic::run },
     Study { name: "still-tank", about: "a tank at rest stays at rest for five seconds", run: still_tank::run },
+    Study {
+        name: "stiff-tank",
+        about: "a falling column at twenty times its speed of sound, in steps that follow from the state",
+        run: stiff_tank::run,
+    },
     Study {
         name: "pressure-correction",
         about: "a column at the real speed of sound, with the time step of a soft one",

@@ -35,7 +35,9 @@ pub fn difference(want: &Snapshot, got: &Snapshot) -> Option<Difference> {
     }
     let position = of_array("position", &want.position, &got.position);
     let velocity = of_array("velocity", &want.velocity, &got.velocity);
-    let first = position.first.or(velocity.first)?;
+    let step = (want.time_step.to_bits() != got.time_step.to_bits())
+        .then(|| format!("the next time step: {:e} s, {:e} s", want.time_step, got.time_step));
+    let first = position.first.or(velocity.first).or(step)?;
     Some(Difference {
         first,
         max_ulp: PerQuantity { position: position.ulp, velocity: velocity.ulp },

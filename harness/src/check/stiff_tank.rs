@@ -1,0 +1,96 @@
+//! `stiff-tank`: a column that falls over and sloshes for 5 s at a speed of sound 20 times that of its fastest flow, in steps that
+//! follow from the state (S0 section 2.3.5; S3 section 3.3, step 5).
+use super::flow::{fluid, larger};
+use super::outcome::table;
+use super::{Context, Figure, Outcome};
+use crate::failure::Failure;
+use crate::fluid::start;
+use crate::memory::Heap;
+use crate::output::progress;
+use crate::scenes::{Changes, load};
+use millpond_core::Solver;
+use millpond_core::scene::WallShape;
+
+const NAME: &str = "stiff-tank";
+
+/// A tenth of the time, to the first splash, where that will do.
+const QUICK_SHARE: f64 = 0.1;
+
+/// Of the issue: sound against the fastest flow, and mean density error.
+const STIFFNESS: f64 = 20.0;
+const DENSITY_LIMIT: f64 = 0.01;
+
+/// Energy may only be lost; this much of what there was at the start is rounding.
+const ENERGY_LIMIT: f64 = 1e-3;
+
+/// A step is at most so much longer than what the state at its end asks for, the scene's `redo_above`.
+const OVERRUN_LIMIT: f64 = 1.5;
+
+/// Fractions of a second at which density is looked at.
+const SAMPLES_PER_SECOND: f64 = 200.0;
+
+pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
+    let named = load(NAME, &Changes::default())?;
+    let scene = &named.file.scene;
+    let end = named.file.duration * if context.quick { QUICK_SHARE } else { 1.0 };
+    let mut heap = Heap::of(scene);
+    let mut solver = start(NAME, scene, &mut heap)?;
+    let before = energy(&solver);
+    let (mut mean, mut fastest, mut gained, mut overrun) = (0.0f64, 0.0f64, 0.0f64, 0.0f64);
+    let (mut shortest, mut longest) = (f32::INFINITY, 0.0f32);
+    let bar = progress(NAME, (end * SAMPLES_PER_SECOND) as u64);
+    let mut sample = 0.0;
+    while solver.time() < end {
+        solver.step(&context.pool)?;
+        let clock = solver.time_report();
+        overrun = larger(overrun, f64::from(clock.time_step) / f64::from(clock.wanted));
+        (shortest, longest) = (shortest.min(clock.time_step), longest.max(clock.time_step));
+        if clock.time * SAMPLES_PER_SECOND >= sample {
+            sample += 1.0;
+            mean = larger(mean, solver.density_error().mean);
+            let speed = |fastest, x: &millpond_core::Particle| larger(fastest, f64::from(x.velocity.length()));
+            fastest = larger(fastest, fluid(&solver).iter().fold(0.0, speed));
+            gained = larger(gained, (energy(&solver) - before) / before);
+            bar.set_position(sample as u64);
+        }
+    }
+    bar.finish_and_clear();
+    let outside = fluid(&solver).iter().filter(|particle| !is_inside(scene, particle.position.to_array())).count();
+    let figures = vec![
+        Figure::above(
+            "speed of sound over the fastest flow",
+            f64::from(scene.fluid.speed_of_sound) / fastest,
+            STIFFNESS,
+        ),
+        Figure::below("mean density error, at most", mean, DENSITY_LIMIT),
+        Figure::below("energy gained, at most, over that at the start", gained, ENERGY_LIMIT),
+        Figure::below("particles outside of the tank", outside as f64, 0.0),
+        Figure::below("a step over what its end asks for, at most", overrun, OVERRUN_LIMIT),
+        Figure::below("steps held at the shortest", f64::from(solver.time_report().held), 0.0),
+    ];
+    let rows = [
+        ["steps".into(), format!("{} in {:.3} s", solver.steps(), solver.time())],
+        ["time step".into(), format!("{shortest:.2e} to {longest:.2e} s")],
+        ["steps made again".into(), solver.time_report().redone.to_string()],
+        ["fastest flow".into(), format!("{fastest:.2} m/s")],
+    ];
+    Ok(Outcome::new(NAME, figures, vec![table(["what", "value"], rows)]))
+}
+
+/// Of motion and of weight, J/m.
+fn energy(solver: &Solver<'_>) -> f64 {
+    let energies = solver.energies();
+    energies.kinetic + energies.potential
+}
+
+/// Is a place between the walls, open sides being no limit?
+fn is_inside(scene: &millpond_core::scene::Scene, x: [f32; 3]) -> bool {
+    scene.walls.iter().all(|wall| match &wall.shape {
+        WallShape::Box { low, high, open } => millpond_core::scene::Face::ALL.iter().all(|face| {
+            let axis = face.axis();
+            let beyond = if face.is_high() { x[axis] > high[axis] } else { x[axis] < low[axis] };
+            axis >= scene.dimension.count() || open.contains(face) || !beyond
+        }),
+        WallShape::Plane { .. } => true,
+    })
+}

@@ -1,0 +1,232 @@
+//! Promise: an adaptive time step is what its criteria ask for of the state, grows no faster than it may, is made again where
+//! that was asked for and counted where it cannot be short enough; and a device's clock shows the same bits, however many steps
+//! are recorded at once. Integrators start as they go on: with the order that they promise.
+use approx::assert_relative_eq;
+use millpond::fluid::Snapshot;
+use millpond::memory::Heap;
+use millpond_core::guided::{speed_of_sound, support_radius};
+use millpond_core::scene::{
+    Adaptive, Block, Container, Dimension, Fluid, Grid, GridStructure, Integrator, ModelChoice, Place, Scene,
+};
+use millpond_core::{Needs, Plan, Serial, Solver, StepError, TimeReport};
+use millpond_gpu::{GpuSolver, Mode};
+
+mod support;
+use support::device;
+
+/// A block that falls onto a floor: slow, then fast, then hard.
+fn falling() -> Scene {
+    let fluid = Fluid { speed_of_sound: 20.0, dynamic_viscosity: 2.0, ..Fluid::default() };
+    let block =
+        Block { corner: [0.2, 0.02, 0.0], size: [0.3, 0.3, 0.0], velocity: [0.0, -2.0, 0.0], ..Block::default() };
+    let mut scene = Scene::of(Dimension::Two, 0.025, 1e-3, fluid, block);
+    scene.gravity = [0.0, -9.81, 0.0];
+    scene.container = Some(Container::closed([0.0; 3], [0.7, 0.7, 0.0]));
+    scene.grid = Grid { cells: [12, 12, 1], ..Grid::default() };
+    scene.model = ModelChoice::modern();
+    scene.adaptive = Some(Adaptive::default());
+    scene
+}
+
+/// With a criterion that the impact tightens by more than what a step may miss it by.
+fn impact() -> Scene {
+    let mut scene = falling();
+    scene.time_step = 4e-3;
+    scene.adaptive = Some(Adaptive {
+        speed: None,
+        sound: None,
+        acceleration: Some(0.1),
+        redo_above: Some(1.0),
+        ..Adaptive::default()
+    });
+    scene
+}
+
+/// What the criteria ask for, once more and in f64.
+fn wanted(scene: &Scene, solver: &Solver<'_>) -> f64 {
+    let adaptive = scene.adaptive.expect("an adaptive step");
+    let state = solver.state();
+    let length = |v: &[f32; 4]| v[..3].iter().map(|x| f64::from(*x).powi(2)).sum::<f64>().sqrt();
+    let speed = state.velocity.iter().map(length).fold(0.0, f64::max);
+    let acceleration = state.acceleration.iter().map(length).fold(0.0, f64::max);
+    let densest = state.density_pressure.iter().map(|d| 1.0 + f64::from(d[0])).fold(0.0, f64::max);
+    let sound = f64::from(scene.fluid.speed_of_sound) * densest.powi(3);
+    let support = support_radius(scene);
+    let nu = f64::from(scene.fluid.dynamic_viscosity / scene.fluid.rest_density);
+    let limits = [
+        adaptive.speed.map(|c| f64::from(c) * support / speed),
+        adaptive.acceleration.map(|c| f64::from(c) * (support / acceleration).sqrt()),
+        adaptive.sound.map(|c| f64::from(c) * support / sound),
+        adaptive.viscosity.map(|c| f64::from(c) * support * support / nu),
+    ];
+    limits.into_iter().flatten().fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn each_step_is_what_its_criteria_ask_for() {
+    for scene in [falling(), impact()] {
+        let adaptive = scene.adaptive.expect("an adaptive step");
+        let mut heap = Heap::of(&scene);
+        let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
+        let mut sum = 0.0;
+        let mut lengths = Vec::new();
+        for _ in 0..300 {
+            let before = solver.time_report();
+            solver.step(&Serial).expect("a step");
+            let after = solver.time_report();
+            // a dozen roundings of f32
+            assert_relative_eq!(f64::from(after.wanted), wanted(&scene, &solver), max_relative = 1e-6);
+            let limit = (after.time_step * adaptive.growth).min(adaptive.largest);
+            assert_eq!(after.next, after.wanted.min(limit).max(adaptive.smallest));
+            assert!(after.redone > before.redone || after.time_step == before.next, "{before:?}, {after:?}");
+            sum += f64::from(after.time_step);
+            lengths.push(after.time_step);
+            // the clock carries what one f32 cannot show, about 2^-24 of it, and of that loses 2^-24 a step
+            assert_relative_eq!(solver.time(), sum, max_relative = 300.0 * 2f64.powi(-48));
+        }
+        lengths.sort_by(f32::total_cmp);
+        assert!(lengths[299] > 1.2 * lengths[0], "a step that never changes tests little");
+    }
+}
+
+#[test]
+fn the_first_step_obeys_too() {
+    let mut scene = falling();
+    scene.time_step = 0.01;
+    let mut heap = Heap::of(&scene);
+    let solver = Solver::new(&scene, heap.lend()).expect("a scene");
+    assert_relative_eq!(f64::from(solver.time_report().next), wanted(&scene, &solver), max_relative = 1e-6);
+}
+
+#[test]
+fn a_step_that_was_too_long_is_made_again() {
+    let scene = impact();
+    let run = |scene: &Scene| {
+        let mut heap = Heap::of(scene);
+        let mut solver = Solver::new(scene, heap.lend()).expect("a scene");
+        let mut too_long = 0;
+        for _ in 0..300 {
+            solver.step(&Serial).expect("a step");
+            let clock = solver.time_report();
+            too_long += u32::from(clock.time_step > clock.wanted);
+        }
+        (too_long, solver.time_report())
+    };
+    let (too_long, clock) = run(&scene);
+    assert!(clock.redone > 10 && clock.held == 0, "{clock:?}");
+    assert_eq!(too_long, 0, "a step that counts keeps the condition");
+    let mut lax = scene;
+    lax.adaptive = lax.adaptive.map(|adaptive| Adaptive { redo_above: None, ..adaptive });
+    let (too_long, clock) = run(&lax);
+    assert!(too_long > 0 && clock.redone == 0, "without that choice {too_long} steps were too long");
+}
+
+#[test]
+fn a_step_that_cannot_be_short_enough_is_counted() {
+    let mut scene = falling();
+    scene.adaptive = scene.adaptive.map(|adaptive| Adaptive { smallest: 1e-3, redo_above: Some(1.0), ..adaptive });
+    let mut heap = Heap::of(&scene);
+    let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
+    (0..20).for_each(|_| solver.step(&Serial).expect("a step"));
+    let TimeReport { time_step, held, redone, .. } = solver.time_report();
+    assert_eq!((time_step, held, redone), (1e-3, 20, 0));
+}
+
+#[test]
+fn a_device_keeps_the_same_clock() {
+    let Some(gpu) = device("steps_follow_the_state", Mode::Strict) else { return };
+    for at_once in [1, 67] {
+        let scene = impact();
+        let mut heap = Heap::of(&scene);
+        let mut cpu = Solver::new(&scene, heap.lend()).expect("a scene");
+        let mut fluid = GpuSolver::new(&gpu, &cpu).expect("a device that takes it");
+        while cpu.steps() < 268 {
+            fluid.step(at_once).expect("steps on the device");
+            (0..at_once).for_each(|_| cpu.step(&Serial).expect("a step"));
+            assert_eq!(fluid.steps(), cpu.steps());
+            assert_eq!(fluid.time_report().expect("a report"), cpu.time_report(), "{at_once} at once");
+            assert!(Snapshot::of_gpu(&fluid).expect("a state") == Snapshot::of_cpu(&cpu), "{at_once} at once");
+        }
+        assert!(cpu.time_report().redone > 10, "attempts that sit out");
+    }
+}
+
+#[test]
+fn a_refused_step_leaves_the_clock_alone() {
+    let mut scene = falling();
+    // as many places as the fullest cell has at the start
+    scene.grid.structure = GridStructure::CellLists { places: 12 };
+    let mut heap = Heap::of(&scene);
+    let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
+    let refused = loop {
+        let before = (solver.hash(), solver.time_report());
+        if let Err(error) = solver.step(&Serial) {
+            assert_eq!((solver.hash(), solver.time_report()), before);
+            break error;
+        }
+        assert!(solver.steps() < 1000, "no cell was ever full");
+    };
+    assert!(matches!(refused, StepError::CellFull { capacity: 12, .. }), "{refused}");
+}
+
+#[test]
+fn stiffness_follows_a_wanted_step() {
+    let mut scene = falling();
+    (scene.adaptive, scene.stiffness_for_time_step, scene.time_step) = (None, Some(0.2), 5e-4);
+    let _ = scene.other_fluids.push(Fluid { speed_of_sound: 5.0, ..Fluid::default() });
+    let fastest = 0.2 * support_radius(&scene) / 5e-4;
+    assert_relative_eq!(speed_of_sound(&scene, &scene.fluid), fastest, max_relative = 1e-6);
+    assert_relative_eq!(speed_of_sound(&scene, &scene.other_fluids[0]), fastest / 4.0, max_relative = 1e-6);
+    let mut heap = Heap::of(&scene);
+    let solver = Solver::new(&scene, heap.lend()).expect("a scene");
+    assert_relative_eq!(solver.courant(scene.time_step).sound, 0.2, max_relative = 0.02);
+}
+
+#[test]
+fn a_thrown_particle_keeps_to_its_parabola() {
+    const STEPS: u32 = 64;
+    for &integrator in Integrator::ALL {
+        let mut scene = falling();
+        scene.adaptive = None;
+        scene.container = None;
+        scene.model.integrator = integrator;
+        scene.time_step = 1.0 / 64.0;
+        let mut heap = Heap::with(Needs { particles: 1, ..Needs::of(&scene) });
+        let thrown = [Place::at([0.25, 0.5, 0.0], [0.5, 2.0, 0.0])];
+        let plan = Plan::of(&scene);
+        let mut solver = Solver::with_particles(&scene, plan, 1, thrown, heap.lend()).expect("a scene");
+        (0..STEPS).for_each(|_| solver.step(&Serial).expect("a step"));
+        let particle = solver.particles().next().expect("a particle");
+        let (g, dt) = (-9.81, f64::from(scene.time_step));
+        let t = f64::from(STEPS) * dt;
+        // of order 1 it is half a step ahead or behind: x gains g dt t / 2, from order 2 on it is exact
+        let ahead = match integrator {
+            Integrator::Euler => -0.5,
+            Integrator::SemiImplicitEuler | Integrator::Clavet => 0.5,
+            _ => 0.0,
+        };
+        let height = 0.5 + 2.0 * t + 0.5 * g * t * t + ahead * g * dt * t;
+        // 64 sums of numbers up to 3, each off by half a bit of f32
+        let near = |a: f32, b: f64| assert_relative_eq!(f64::from(a), b, epsilon = 64.0 * 1.2e-7);
+        near(particle.position.y, height);
+        near(particle.velocity.y, 2.0 + g * t);
+        near(particle.position.x, 0.25 + 0.5 * t);
+    }
+}
+
+#[test]
+fn only_what_remembers_has_memory_for_it() {
+    for &integrator in Integrator::ALL {
+        let mut scene = falling();
+        scene.adaptive = None;
+        scene.model.integrator = integrator;
+        let needs = Needs::of(&scene);
+        use Integrator::*;
+        let history = matches!(integrator, Verlet | Beeman | VelocityCorrectedBeeman | PositionCorrectedBeeman);
+        assert_eq!(needs.history, history, "{integrator:?}");
+        assert_eq!(needs.earlier, history || matches!(integrator, VelocityVerlet | Leapfrog), "{integrator:?}");
+        assert!(!needs.ahead);
+        scene.fluid.xsph = 0.1;
+        assert!(Needs::of(&scene).ahead);
+    }
+}
