@@ -106,12 +106,17 @@ fn a_quantity_that_is_not_finite_any_more() {
 #[test]
 fn a_scene_that_cannot_start() {
     let scene = support::scene("thesis-cube", &[]).file.scene;
-    for bad in [f32::NAN, f32::INFINITY, 1e30] {
+    let start = |position: [f32; 3], velocity: [f32; 3]| {
         let mut heap = heap_for(&scene, 2);
-        let at = places(&[([0.0; 3], [0.0; 3]), ([0.0, bad, 0.0], [0.0; 3])]);
-        let start = Solver::with_particles(&scene, Plan::of(&scene), 2, at, heap.lend());
-        let error = StepError::OutOfRange { particle: 1, axis: 1, step: 1 };
-        assert_eq!(start.err(), Some(SceneError::FirstStep(error)));
+        let at = places(&[([0.0; 3], [0.0; 3]), (position, velocity)]);
+        Solver::with_particles(&scene, Plan::of(&scene), 2, at, heap.lend()).err()
+    };
+    let far = SceneError::FirstStep(StepError::OutOfRange { particle: 1, axis: 1, step: 1 });
+    assert_eq!(start([0.0, 1e30, 0.0], [0.0; 3]), Some(far));
+    for bad in [f32::NAN, f32::INFINITY] {
+        let none = |quantity| Some(SceneError::ParticleNotFinite { particle: 1, quantity });
+        assert_eq!(start([0.0, bad, 0.0], [0.0; 3]), none(Quantity::Position));
+        assert_eq!(start([0.0; 3], [bad, 0.0, 0.0]), none(Quantity::Velocity));
     }
 }
 
