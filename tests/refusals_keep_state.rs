@@ -176,6 +176,16 @@ fn scenes_that_cannot_be() {
     // lengths whose fourth power is no f32
     let tiny = refused(&|s| (s.particle_spacing, s.blocks[0].size) = (1e-12, [1e-12; 3]));
     assert_eq!(tiny, SceneError::OutOfScale { field: "particle_spacing", value: 1e-12 });
+    // supports whose constants are no numbers are no fault of the spacing
+    for value in [1e30, 1e-30] {
+        let (field, least, most) = ("average_neighbours", 0.001, 1_073_741_823.0);
+        let error = SceneError::OutOfBounds { field, value, least, most };
+        assert_eq!(refused(&|s| s.average_neighbours = value), error);
+    }
+    // at 1e4 m coordinates are a millimetre apart
+    let error = refused(&|s| s.blocks[0].corner[0] = 1e4);
+    let most = 65_536.0 * base.particle_spacing;
+    assert_eq!(error, SceneError::OutOfBounds { field: "blocks.corner", value: 1e4, least: -most, most });
     let error = refused(&|s| s.container.as_mut().expect("a box").high[1] = 0.0);
     assert_eq!(error, SceneError::EmptyContainer { axis: 1, low: 0.0, high: 0.0 });
     assert_eq!(refused(&|s| s.grid.cells[2] = 2), SceneError::TooFewCells { axis: 2, cells: 2 });

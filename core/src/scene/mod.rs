@@ -14,6 +14,7 @@ mod surroundings;
 mod walls;
 
 pub use air::Air;
+pub use check::MOST_SPACINGS_AWAY;
 pub(crate) use check::check_count;
 pub use choice::{
     DensityForm, Dimension, EquationOfState, Evaluation, Face, GridStructure, Iteration, Kernel, NearPressure,
