@@ -19,6 +19,8 @@ pub struct Census {
     pub energies: Energies,
     /// Fastest particle, m/s.
     pub fastest: f64,
+    /// Largest coordinate of a particle, m.
+    pub farthest: f64,
 }
 
 /// A number at the first and at the last step.
@@ -67,5 +69,6 @@ pub fn census(scene: &Scene, state: &Snapshot) -> Result<Census, Failure> {
         density_error: solver.density_error(),
         energies: solver.energies(),
         fastest: state.velocity.iter().map(speed).fold(0.0, f64::max),
+        farthest: state.position.iter().flat_map(|x| &x[..3]).map(|x| f64::from(x.abs())).fold(0.0, f64::max),
     })
 }

@@ -182,7 +182,7 @@ pub fn run(
     let last_census = census(scene, &last)?;
     let neighbours = FirstLast { first: first_census.average_neighbours, last: last_census.average_neighbours };
     let refused = air.map_or(0, |air: Air| air.refused);
-    let warnings = warnings(scene, last_census.fastest, last_census.density_error.mean, refused);
+    let warnings = warnings(scene, &last_census, refused);
     Ok(Outcome {
         scene: named.name.clone(),
         backend: fluid.backend(),

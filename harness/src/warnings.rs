@@ -1,8 +1,11 @@
 //! What a user should know of a scene that ran: choices that are known to end badly, and limits of the time step.
+use crate::census::Census;
 use millpond_core::guided::{average_neighbours, support_radius};
 use millpond_core::kernel::slope;
 use millpond_core::kinds::spring_pull;
-use millpond_core::scene::{Dimension, EquationOfState, Fluid, Kernel, NearPressure, Scene, SurfaceTension};
+use millpond_core::scene::{
+    Dimension, EquationOfState, Fluid, Kernel, MOST_SPACINGS_AWAY, NearPressure, Scene, SurfaceTension, Viscosity,
+};
 use std::f64::consts::PI;
 
 /// Largest share of its support that sound and the fastest particle together may cross in a step: past it explicit
@@ -18,12 +21,18 @@ const SPRING_LIMIT: f64 = 1.0;
 /// Compression, in the mean, from which on a fluid is not what it was meant to be.
 const COMPRESSION_LIMIT: f64 = 0.03;
 
-/// All that there is to say: of a state whose fastest particle moves with so many m/s, whose fluid is compressed by this mean
-/// share, and where so many births of air found no particle.
+/// Share of `h^2 / nu` that a step may last, h being half of the support (Morris et al. 1997): past about twice as much a step
+/// reverses the differences of velocity that it should have evened out.
+const VISCOUS_LIMIT: f64 = 0.125;
+
+/// All that there is to say of a state, and of a run in which so many births of air found no particle.
 #[must_use]
-pub fn warnings(scene: &Scene, fastest: f64, compression: f64, births_refused: u64) -> Vec<String> {
+pub fn warnings(scene: &Scene, state: &Census, births_refused: u64) -> Vec<String> {
+    let compression = state.density_error.mean;
     let mut warnings = Vec::new();
-    warnings.extend(courant(scene, fastest));
+    warnings.extend(courant(scene, state.fastest));
+    warnings.extend(viscous(scene));
+    warnings.extend(resolution(scene, state.farthest));
     warnings.extend(scene.fluids().find_map(|fluid| capillary(scene, fluid)));
     warnings.extend(scene.fluids().find_map(|fluid| springs(scene, fluid)));
     if scene.model.near_pressure != NearPressure::Off && !scene.model.suction {
@@ -57,6 +66,29 @@ fn courant(scene: &Scene, fastest: f64) -> Option<String> {
         format!(
             "Courant number {courant:.2} is larger than {COURANT_LIMIT}: a smaller time_step or speed_of_sound is safer"
         )
+    })
+}
+
+/// Does a step last longer than viscosity allows?
+fn viscous(scene: &Scene) -> Option<String> {
+    if matches!(scene.model.viscosity, Viscosity::Artificial | Viscosity::Exchange) {
+        return None;
+    }
+    let of = |viscosity: f32, fluid: u32| f64::from(viscosity) / f64::from(scene.fluid_of(fluid).rest_density);
+    let fluids = (0..).zip(scene.fluids()).map(|(number, fluid)| of(fluid.dynamic_viscosity, number));
+    let blocks = scene.blocks.iter().filter_map(|block| Some(of(block.dynamic_viscosity?, block.fluid)));
+    let h = support_radius(scene) / 2.0;
+    let most = VISCOUS_LIMIT * h * h / fluids.chain(blocks).fold(0.0, f64::max);
+    (f64::from(scene.time_step) > most)
+        .then(|| format!("viscosity needs a time_step of at most {most:.1e} s (Morris et al. 1997)"))
+}
+
+/// Is a particle where f32 has too few digits for what happens between it and others?
+fn resolution(scene: &Scene, farthest: f64) -> Option<String> {
+    let most = f64::from(MOST_SPACINGS_AWAY) * f64::from(scene.particle_spacing);
+    (farthest > most).then(|| {
+        let step = (farthest as f32).next_up() - farthest as f32;
+        format!("a particle is {farthest:.1e} m from the origin, where it can only move by steps of {step:.1e} m")
     })
 }
 
