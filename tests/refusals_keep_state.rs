@@ -106,12 +106,17 @@ fn a_quantity_that_is_not_finite_any_more() {
 #[test]
 fn a_scene_that_cannot_start() {
     let scene = support::scene("thesis-cube", &[]).file.scene;
-    for bad in [f32::NAN, f32::INFINITY, 1e30] {
+    let start = |position: [f32; 3], velocity: [f32; 3]| {
         let mut heap = heap_for(&scene, 2);
-        let at = places(&[([0.0; 3], [0.0; 3]), ([0.0, bad, 0.0], [0.0; 3])]);
-        let start = Solver::with_particles(&scene, Plan::of(&scene), 2, at, heap.lend());
-        let error = StepError::OutOfRange { particle: 1, axis: 1, step: 1 };
-        assert_eq!(start.err(), Some(SceneError::FirstStep(error)));
+        let at = places(&[([0.0; 3], [0.0; 3]), (position, velocity)]);
+        Solver::with_particles(&scene, Plan::of(&scene), 2, at, heap.lend()).err()
+    };
+    let far = SceneError::FirstStep(StepError::OutOfRange { particle: 1, axis: 1, step: 1 });
+    assert_eq!(start([0.0, 1e30, 0.0], [0.0; 3]), Some(far));
+    for bad in [f32::NAN, f32::INFINITY] {
+        let none = |quantity| Some(SceneError::ParticleNotFinite { particle: 1, quantity });
+        assert_eq!(start([0.0, bad, 0.0], [0.0; 3]), none(Quantity::Position));
+        assert_eq!(start([0.0; 3], [bad, 0.0, 0.0]), none(Quantity::Velocity));
     }
 }
 
@@ -171,6 +176,16 @@ fn scenes_that_cannot_be() {
     // lengths whose fourth power is no f32
     let tiny = refused(&|s| (s.particle_spacing, s.blocks[0].size) = (1e-12, [1e-12; 3]));
     assert_eq!(tiny, SceneError::OutOfScale { field: "particle_spacing", value: 1e-12 });
+    // supports whose constants are no numbers are no fault of the spacing
+    for value in [1e30, 1e-30] {
+        let (field, least, most) = ("average_neighbours", 0.001, 1_073_741_823.0);
+        let error = SceneError::OutOfBounds { field, value, least, most };
+        assert_eq!(refused(&|s| s.average_neighbours = value), error);
+    }
+    // at 1e4 m coordinates are a millimetre apart
+    let error = refused(&|s| s.blocks[0].corner[0] = 1e4);
+    let most = 65_536.0 * base.particle_spacing;
+    assert_eq!(error, SceneError::OutOfBounds { field: "blocks.corner", value: 1e4, least: -most, most });
     let error = refused(&|s| s.container.as_mut().expect("a box").high[1] = 0.0);
     assert_eq!(error, SceneError::EmptyContainer { axis: 1, low: 0.0, high: 0.0 });
     assert_eq!(refused(&|s| s.grid.cells[2] = 2), SceneError::TooFewCells { axis: 2, cells: 2 });

@@ -157,6 +157,13 @@ pub enum SceneError {
         /// Its id.
         particle: u32,
     },
+    /// A quantity that a particle is to start with is NaN or infinite.
+    ParticleNotFinite {
+        /// Its id.
+        particle: u32,
+        /// Which quantity.
+        quantity: Quantity,
+    },
     /// A wrapped axis needs three cells, else a neighbour would be met twice.
     TooFewCells {
         /// 0, 1, 2 for x, y, z.
@@ -307,6 +314,9 @@ impl fmt::Display for SceneError {
             SceneError::PlanOfAnotherScene => write!(f, "the plan was made for another scene"),
             SceneError::UnplannedParticle { particle } => {
                 write!(f, "particle {particle} has a kind or a mass that no particle of the scene has")
+            }
+            SceneError::ParticleNotFinite { particle, quantity } => {
+                write!(f, "{quantity:?} of particle {particle} is not a finite number")
             }
             SceneError::TooFewCells { axis, cells } => {
                 write!(f, "grid.cells has {cells} along {}, and must have at least 3", AXES[axis])

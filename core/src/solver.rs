@@ -2,7 +2,7 @@
 use crate::arithmetic::level::Simd;
 use crate::arithmetic::real::vec3;
 use crate::clock::{Clock, TimeReport};
-use crate::error::{SceneError, StepError};
+use crate::error::{Quantity, SceneError, StepError};
 use crate::executor::{Executor, Serial};
 use crate::guided::{first_air, parameters};
 use crate::hash::state_hash;
@@ -174,6 +174,15 @@ impl<'m> Solver<'m> {
             let ([x, y, z], [u, v, w]) = (place.position, place.velocity);
             if scene.dimension == Dimension::Two && (z != 0.0 || w != 0.0) {
                 return Err(SceneError::OutOfPlane);
+            }
+            let quantities = [
+                (&place.position[..], Quantity::Position),
+                (&place.velocity, Quantity::Velocity),
+                (&[place.deviation, place.pressure], Quantity::Density),
+            ];
+            // a step would say of any of them that the place is out of range, or nothing
+            if let Some((_, quantity)) = quantities.into_iter().find(|(of, _)| !of.iter().all(|x| x.is_finite())) {
+                return Err(SceneError::ParticleNotFinite { particle: slot as u32, quantity });
             }
             let (masses, species) = (self.plan.model.masses == 1, self.plan.model.species == 1);
             let kind = kind_of(place.species, scene);

@@ -143,8 +143,7 @@ fn bench(named: &Named, options: &Options) -> Result<Bench, Failure> {
     bar.finish_and_clear();
     let needs = Needs::of(scene);
     let ms_per_step = Milliseconds::of(&timed.steps);
-    let [first, last] =
-        [&timed.first, &timed.last].map(|state| census(scene, state, scene.time_step).map(|c| c.average_neighbours));
+    let [first, last] = [&timed.first, &timed.last].map(|state| census(scene, state).map(|c| c.average_neighbours));
     Ok(Bench {
         scene: named.name.clone(),
         particles: needs.particles,
@@ -155,7 +154,7 @@ fn bench(named: &Named, options: &Options) -> Result<Bench, Failure> {
         ns_per_particle_step: ms_per_step.min * 1e6 / needs.particles.max(1) as f64,
         bytes_per_particle: needs.bytes() as f64 / needs.particles.max(1) as f64,
         average_neighbours: FirstLast { first: first?, last: last? },
-        real_time_factor: f64::from(timed.last.time_step) * 1e3 / ms_per_step.min,
+        real_time_factor: f64::from(timed.last.clock.time_step) * 1e3 / ms_per_step.min,
         scaling: None,
     })
 }

@@ -19,8 +19,12 @@ pub struct Census {
     pub energies: Energies,
     /// Fastest particle, m/s.
     pub fastest: f64,
-    /// Courant numbers of the step before it.
+    /// The step before it, s.
+    pub time_step: f64,
+    /// Its Courant numbers.
     pub courant: Courant,
+    /// Largest coordinate of a particle, m.
+    pub farthest: f64,
 }
 
 /// A number at the first and at the last step.
@@ -47,11 +51,11 @@ impl From<DensityError> for MeanMax {
     }
 }
 
-/// Takes the census of a state of `scene`, to which a step of so many seconds led.
+/// Takes the census of a state of `scene`.
 ///
 /// # Errors
 /// A state that no step could start from.
-pub fn census(scene: &Scene, state: &Snapshot, time_step: f32) -> Result<Census, Failure> {
+pub fn census(scene: &Scene, state: &Snapshot) -> Result<Census, Failure> {
     let count = state.position.len();
     // walls may have moved particles into cells that are full: the index sort takes any number
     let mut scene = scene.clone();
@@ -70,7 +74,9 @@ pub fn census(scene: &Scene, state: &Snapshot, time_step: f32) -> Result<Census,
         average_neighbours: solver.average_neighbours(),
         density_error: solver.density_error(),
         energies: solver.energies(),
-        courant: solver.courant(time_step),
+        time_step: f64::from(state.clock.time_step),
+        courant: solver.courant(state.clock.time_step),
         fastest: state.velocity.iter().map(speed).fold(0.0, f64::max),
+        farthest: state.position.iter().flat_map(|x| &x[..3]).map(|x| f64::from(x.abs())).fold(0.0, f64::max),
     })
 }

@@ -58,8 +58,8 @@ pub struct Snapshot {
     pub surface: Vec<f32x4>,
     /// Ends of springs, each particle's side by side; empty where the scene has none.
     pub spring_ends: Vec<u32x2>,
-    /// The next time step, s.
-    pub time_step: f32,
+    /// What became of the time step.
+    pub clock: TimeReport,
 }
 
 impl Snapshot {
@@ -82,7 +82,7 @@ impl Snapshot {
         slots: &[u32],
         [normal, acceleration]: [&[f32x4]; 2],
         ends: &[u32x2],
-        time_step: f32,
+        clock: TimeReport,
     ) -> Snapshot {
         let of = |&slot: &u32| {
             let [x, y, z, _] = *normal.get(slot as usize)?;
@@ -90,7 +90,7 @@ impl Snapshot {
         };
         self.surface = slots.iter().filter_map(of).collect();
         self.spring_ends = ends.to_vec();
-        self.time_step = time_step;
+        self.clock = clock;
         self
     }
 
@@ -123,7 +123,7 @@ impl Snapshot {
             solver.slots(),
             [state.normal, state.acceleration],
             solver.spring_ends(),
-            solver.time_report().next,
+            solver.time_report(),
         )
     }
 
@@ -135,8 +135,8 @@ impl Snapshot {
         let state = solver.read()?;
         let slots = state.slots();
         let known = Snapshot::of(&slots, [&state.position, &state.velocity, &state.density_pressure, &state.heat]);
-        let next = solver.time_report()?.next;
-        Ok(known.with(&slots, [&state.normal, &state.acceleration], &state.spring_ends, next))
+        let clock = solver.time_report()?;
+        Ok(known.with(&slots, [&state.normal, &state.acceleration], &state.spring_ends, clock))
     }
 }
 

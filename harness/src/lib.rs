@@ -3,7 +3,7 @@
 //!
 //! Each command has a module of its own: [`run`], [`compare`], [`mod@bench`], [`plan_view`], [`error_study`], [`check`], and
 //! [`showcase`], which is what happens without any. They share [`scenes`] (what runs), [`fluid`] (a scene on a backend),
-//! [`census`] (what can be said of it) and the drawing in [`paint`], [`frames`] and [`plot`].
+//! [`census`] (what can be said of it), [`extremes`] (what no scene should be) and the drawing in [`paint`], [`frames`] and [`plot`].
 
 pub mod arguments;
 pub mod bench;
@@ -12,6 +12,7 @@ pub mod check;
 pub mod cli;
 pub mod compare;
 pub mod error_study;
+pub mod extremes;
 pub mod failure;
 pub mod fluid;
 pub mod frames;

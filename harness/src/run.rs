@@ -193,7 +193,7 @@ pub fn run(
     let mut heap = Heap::of(scene);
     let mut fluid = Fluid::start(named, backend, &mut heap, pool)?;
     let first = fluid.snapshot()?;
-    let first_census = census(scene, &first, scene.time_step)?;
+    let first_census = census(scene, &first)?;
     let first_elastic = fluid.elastic_energy(&first);
     let mut film = Film::none();
     if let Some((folder, count)) = pictures {
@@ -244,10 +244,10 @@ pub fn run(
         }
         None => None,
     };
-    let last_census = census(scene, &last, clock.time_step)?;
+    let last_census = census(scene, &last)?;
     let neighbours = FirstLast { first: first_census.average_neighbours, last: last_census.average_neighbours };
     let refused = air.map_or(0, |air: Air| air.refused);
-    let mut warnings = warnings(scene, clock.time_step, &last_census, refused);
+    let mut warnings = warnings(scene, &last_census, refused);
     warnings.extend(held(&clock));
     Ok(Outcome {
         scene: named.name.clone(),

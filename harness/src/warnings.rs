@@ -4,7 +4,7 @@ use millpond_core::guided::{average_neighbours, support_radius};
 use millpond_core::kernel::slope;
 use millpond_core::kinds::spring_pull;
 use millpond_core::report::Courant;
-use millpond_core::scene::{Dimension, Fluid, Kernel, NearPressure, Scene, SurfaceTension};
+use millpond_core::scene::{Dimension, Fluid, Kernel, MOST_SPACINGS_AWAY, NearPressure, Scene, SurfaceTension};
 use std::f64::consts::PI;
 
 /// Largest share of its support that sound and the fastest particle together may cross in a step: past it explicit
@@ -24,14 +24,14 @@ const SPRING_LIMIT: f64 = 1.0;
 /// Compression, in the mean, from which on a fluid is not what it was meant to be.
 const COMPRESSION_LIMIT: f64 = 0.03;
 
-/// All that there is to say: of a state to which a step of so many seconds led, and where so many births of air found no
-/// particle.
+/// All that there is to say of a state, and of a run in which so many births of air found no particle.
 #[must_use]
-pub fn warnings(scene: &Scene, time_step: f32, state: &Census, births_refused: u64) -> Vec<String> {
-    let time_step = f64::from(time_step);
+pub fn warnings(scene: &Scene, state: &Census, births_refused: u64) -> Vec<String> {
+    let time_step = state.time_step;
     let mut warnings = Vec::new();
     warnings.extend(courant(state.courant));
     warnings.extend(diffusion(state.courant));
+    warnings.extend(resolution(scene, state.farthest));
     warnings.extend(scene.fluids().find_map(|fluid| capillary(scene, fluid, time_step)));
     warnings.extend(scene.fluids().find_map(|fluid| springs(scene, fluid, time_step)));
     if scene.model.near_pressure != NearPressure::Off && !scene.model.suction {
@@ -74,6 +74,15 @@ fn diffusion(Courant { viscosity, .. }: Courant) -> Option<String> {
             "viscosity needs a time_step {:.1} times smaller: explicit diffusion turns velocities round (Morris et al. 1997)",
             viscosity / DIFFUSION_LIMIT
         )
+    })
+}
+
+/// Is a particle where f32 has too few digits for what happens between it and others?
+fn resolution(scene: &Scene, farthest: f64) -> Option<String> {
+    let most = f64::from(MOST_SPACINGS_AWAY) * f64::from(scene.particle_spacing);
+    (farthest > most).then(|| {
+        let step = (farthest as f32).next_up() - farthest as f32;
+        format!("a particle is {farthest:.1e} m from the origin, where it can only move by steps of {step:.1e} m")
     })
 }
 

@@ -8,6 +8,10 @@ use crate::lattice_sums::MOST_SPACINGS;
 /// Most particles of a scene: an id shares a word with an axis or a quantity in an error report.
 const MOST_PARTICLES: u64 = (1 << 30) - 1;
 
+/// How far from the origin a block may start, in particle spacings: there f32 still tells 128 places apart between a particle and
+/// the next.
+pub const MOST_SPACINGS_AWAY: f32 = 65_536.0;
+
 /// Most nodes of a host's field: 64 MiB.
 const MOST_NODES: u32 = 1 << 22;
 
@@ -25,7 +29,7 @@ impl Scene {
     /// The first [`SceneError`] found, fields in the order of their declaration.
     pub fn check(&self) -> Result<(), SceneError> {
         positive("particle_spacing", self.particle_spacing)?;
-        positive("average_neighbours", self.average_neighbours)?;
+        neighbours("average_neighbours", self.average_neighbours)?;
         positive("time_step", self.time_step)?;
         self.check_time()?;
         finite("gravity", &self.gravity)?;
@@ -183,6 +187,9 @@ impl Scene {
             not_negative("blocks.jitter", b.jitter)?;
             not_negative("blocks.dynamic_viscosity", b.dynamic_viscosity.unwrap_or(0.0))?;
             known_fluid(self, "blocks.fluid", b.fluid)?;
+            for axis in 0..self.dimension.count() {
+                self.check_distance("blocks.corner", b.corner[axis])?;
+            }
             let counts = lattice::counts(b, self);
             for (axis, (&size, count)) in b.size.iter().zip(counts).enumerate().take(self.dimension.count()) {
                 positive("blocks.size", size)?;
@@ -193,6 +200,12 @@ impl Scene {
             particles = particles.saturating_add(counts.iter().fold(1, |all, &n| all.saturating_mul(n)));
         }
         check_count(particles)
+    }
+
+    /// Refuses a coordinate where f32 has too few digits left for places between particles.
+    fn check_distance(&self, field: &'static str, value: f32) -> Result<(), SceneError> {
+        let most = MOST_SPACINGS_AWAY * self.particle_spacing;
+        if value.abs() > most { Err(SceneError::OutOfBounds { field, value, least: -most, most }) } else { Ok(()) }
     }
 
     fn check_container(&self) -> Result<(), SceneError> {
@@ -324,7 +337,7 @@ fn check_fluid((number, fluid): (u32, &Fluid)) -> Result<(), SceneError> {
     positive(field!(number, "rest_density"), fluid.rest_density)?;
     positive(field!(number, "speed_of_sound"), fluid.speed_of_sound)?;
     if let Some(neighbours) = fluid.average_neighbours {
-        positive(field!(number, "average_neighbours"), neighbours)?;
+        self::neighbours(field!(number, "average_neighbours"), neighbours)?;
     }
     if let Some(stiffness) = fluid.stiffness {
         positive(field!(number, "stiffness"), stiffness)?;
@@ -341,6 +354,14 @@ fn check_fluid((number, fluid): (u32, &Fluid)) -> Result<(), SceneError> {
     share(field!(number, "heat_gain"), fluid.heat_gain)?;
     not_negative(field!(number, "thermal_energy"), fluid.thermal_energy)?;
     fluid.colour.iter().flatten().try_for_each(|&colour| share(field!(number, "colour"), colour))
+}
+
+/// Refuses supports of hardly anything, and of more particles than there can be: their constants would be no numbers, and the
+/// fault would seem to be another's.
+fn neighbours(field: &'static str, value: f32) -> Result<(), SceneError> {
+    positive(field, value)?;
+    let (least, most) = (0.001, MOST_PARTICLES as f32);
+    if (least..=most).contains(&value) { Ok(()) } else { Err(SceneError::OutOfBounds { field, value, least, most }) }
 }
 
 /// Refuses the number of a fluid that the scene has not.

@@ -15,6 +15,7 @@ mod time;
 mod walls;
 
 pub use air::Air;
+pub use check::MOST_SPACINGS_AWAY;
 pub(crate) use check::check_count;
 pub use choice::{
     DensityForm, Dimension, EquationOfState, Evaluation, Face, GridStructure, Integrator, Iteration, Kernel,

@@ -10,6 +10,7 @@ mod dam_break_front;
 mod drop;
 mod elastic;
 mod evaluation;
+mod extremes;
 mod flow;
 mod hydrostatic;
 mod kernels;
@@ -91,6 +92,11 @@ pub const STUDIES: &[Study] = &[
         name: "elastic",
         about: "an elastic cube bounces and has its shape again; a pair swings with the period of its spring",
         run: elastic::run,
+    },
+    Study {
+        name: "extremes",
+        about: "what nobody should ask for ends in a sound state, or in a refusal by name that changes nothing",
+        run: extremes::run,
     },
     Study { name: "hydrostatic", about: "pressure in a tank at rest rises as its depth", run: hydrostatic::run },
     Study { name: "still-tank", about: "a tank at rest stays at rest for five seconds", run: still_tank::run },

@@ -35,8 +35,7 @@ pub fn difference(want: &Snapshot, got: &Snapshot) -> Option<Difference> {
     }
     let position = of_array("position", &want.position, &got.position);
     let velocity = of_array("velocity", &want.velocity, &got.velocity);
-    let step = (want.time_step.to_bits() != got.time_step.to_bits())
-        .then(|| format!("the next time step: {:e} s, {:e} s", want.time_step, got.time_step));
+    let step = (want.clock != got.clock).then(|| format!("the time step: {:?}, {:?}", want.clock, got.clock));
     let first = position.first.or(velocity.first).or(step)?;
     Some(Difference {
         first,

@@ -1,0 +1,68 @@
+//! Two particles at one place, under every choice of formulas: they have no direction to push each other in, and kernels are at
+//! their steepest there.
+use super::{Case, End, Measure, built_in};
+use crate::failure::Failure;
+use millpond_core::scene::{
+    DensityForm, EquationOfState, Evaluation, Kernel, NearPressure, Place, PressureForce, Scene, SupportRange,
+    SurfaceTension, Viscosity,
+};
+
+/// Of those that started in one place, most will have come apart.
+const STEPS: u32 = 10;
+
+/// The cases.
+///
+/// # Errors
+/// A built-in scene that cannot be read.
+pub fn cases() -> Result<Vec<Case>, Failure> {
+    let mut scene = built_in("thesis-cube", 200)?;
+    scene.grid.cells = [4, 4, 4];
+    let mut cases = Vec::new();
+    // two pass through each other, two rest in each other, and one is near
+    let places = [(0.0, 1.0), (0.0, -1.0), (0.05, 0.0), (0.05, 0.0), (0.03, 0.0)];
+    let places = places.map(|(x, v)| Place::at([x, 0.0, 0.0], [0.0, v, 0.0]));
+    let mut add = |what: &str, change: &dyn Fn(&mut Scene)| {
+        let mut scene = scene.clone();
+        change(&mut scene);
+        let name = format!("coincident particles, {what}");
+        cases.push(Case::of_places(name, &scene, places.to_vec(), STEPS, End::Runs(Measure::Finite)));
+    };
+    // as few scenes as have every choice in one of them
+    for (&kernel, &near) in Kernel::ALL.iter().zip(NearPressure::ALL.iter().cycle()) {
+        for viscosity in [Viscosity::Mueller, Viscosity::Morris] {
+            add(&format!("kernel {kernel:?}, viscosity {viscosity:?}, near pressure {near:?}"), &|s| {
+                (s.model.pressure_kernel, s.model.viscosity_kernel) = (kernel, kernel);
+                if kernel.has_value() {
+                    s.model.density_kernel = kernel;
+                }
+                (s.model.viscosity, s.model.near_pressure) = (viscosity, near);
+            });
+        }
+    }
+    for (&force, &tension) in PressureForce::ALL.iter().zip(SurfaceTension::ALL.iter().cycle()) {
+        add(&format!("pressure force {force:?}, surface tension {tension:?}"), &|s| {
+            (s.model.pressure_force, s.model.density) = (force, DensityForm::NumberDensity);
+            s.model.surface_tension = tension;
+            s.fluid.surface_tension = if tension == SurfaceTension::Off { 0.0 } else { 1.0 };
+        });
+    }
+    for (&density, &state) in DensityForm::ALL.iter().zip(EquationOfState::ALL.iter().cycle()) {
+        add(&format!("density {density:?}, equation of state {state:?}"), &|s| {
+            (s.model.density, s.model.equation_of_state) = (density, state);
+            s.model.pressure_force = PressureForce::Monaghan;
+        });
+    }
+    for &viscosity in Viscosity::ALL {
+        add(&format!("viscosity {viscosity:?}, heat"), &|s| {
+            (s.model.viscosity, s.model.density) = (viscosity, DensityForm::SummationAdapted);
+            (s.model.thermal_energy, s.fluid.velocity_exchange) = (true, 0.1);
+        });
+    }
+    for evaluation in [Evaluation::Table, Evaluation::SquaredTable] {
+        add(&format!("kernels by {evaluation:?}"), &|s| s.model.evaluation = evaluation);
+    }
+    add("springs", &|s| s.fluid.elastic_stiffness = 100.0);
+    add("XSPH", &|s| s.fluid.xsph = 0.5);
+    add("variable support", &|s| s.model.variable_support = Some(SupportRange { smallest: 0.5, largest: 2.0 }));
+    Ok(cases)
+}

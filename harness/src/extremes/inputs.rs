@@ -1,0 +1,155 @@
+//! Every number of a scene, as what no number should be: not one at all, infinite, or 1e30.
+use super::settings::CELLS;
+use super::{Case, End, Measure, built_in};
+use crate::failure::Failure;
+use millpond_core::SceneError;
+use millpond_core::scene::{
+    Air, FieldLattice, Fluid, Periodic, Plasticity, Scene, SupportRange, SurfaceTension, Wall, WallShape, Wind,
+};
+
+/// Particles of a case, and steps, if it starts.
+const PARTICLES: u64 = 50;
+const STEPS: u32 = 3;
+
+/// A number of a scene; what it belongs to is made where the scene has none.
+type Number = fn(&mut Scene) -> Option<&mut f32>;
+
+/// By name. What a check refuses first where two numbers share a name is that name.
+const NUMBERS: &[(&str, Number)] = &[
+    ("particle_spacing", |s| Some(&mut s.particle_spacing)),
+    ("average_neighbours", |s| Some(&mut s.average_neighbours)),
+    ("time_step", |s| Some(&mut s.time_step)),
+    ("gravity", |s| s.gravity.get_mut(1)),
+    ("ambient_density", |s| Some(&mut s.ambient_density)),
+    ("wind.velocity", |s| wind(s).velocity.first_mut()),
+    ("wind.drag", |s| Some(&mut wind(s).drag)),
+    ("field.low", |s| field(s).low.first_mut()),
+    ("field.spacing", |s| Some(&mut field(s).spacing)),
+    ("fluid.rest_density", |s| Some(&mut s.fluid.rest_density)),
+    ("fluid.speed_of_sound", |s| Some(&mut s.fluid.speed_of_sound)),
+    ("fluid.average_neighbours", |s| Some(s.fluid.average_neighbours.get_or_insert(20.0))),
+    ("fluid.stiffness", |s| Some(s.fluid.stiffness.get_or_insert(1000.0))),
+    ("fluid.dynamic_viscosity", |s| Some(&mut s.fluid.dynamic_viscosity)),
+    ("fluid.surface_tension", |s| Some(&mut pulled(s).surface_tension)),
+    ("fluid.elastic_stiffness", |s| Some(&mut s.fluid.elastic_stiffness)),
+    ("fluid.alpha", |s| Some(&mut s.fluid.alpha)),
+    ("fluid.beta", |s| Some(&mut s.fluid.beta)),
+    ("fluid.velocity_exchange", |s| Some(&mut s.fluid.velocity_exchange)),
+    ("fluid.radial_exchange", |s| Some(&mut s.fluid.radial_exchange)),
+    ("fluid.xsph", |s| Some(&mut s.fluid.xsph)),
+    ("fluid.near_stiffness", |s| Some(s.fluid.near_stiffness.get_or_insert(1.0))),
+    ("fluid.heat_gain", |s| Some(&mut s.fluid.heat_gain)),
+    ("fluid.thermal_energy", |s| Some(&mut heated(s).thermal_energy)),
+    ("fluid.colour", |s| s.fluid.colour.get_or_insert([0.0; 3]).first_mut()),
+    ("other_fluids.rest_density", |s| Some(&mut other(s)?.rest_density)),
+    ("other_fluids.speed_of_sound", |s| Some(&mut other(s)?.speed_of_sound)),
+    ("blocks.corner", |s| s.blocks.first_mut()?.corner.first_mut()),
+    ("blocks.size", |s| s.blocks.first_mut()?.size.first_mut()),
+    ("blocks.velocity", |s| s.blocks.first_mut()?.velocity.first_mut()),
+    ("blocks.jitter", |s| Some(&mut s.blocks.first_mut()?.jitter)),
+    ("blocks.dynamic_viscosity", |s| Some(s.blocks.first_mut()?.dynamic_viscosity.get_or_insert(1.0))),
+    ("container.low", |s| s.container.as_mut()?.low.get_mut(1)),
+    ("container.high", |s| s.container.as_mut()?.high.get_mut(1)),
+    ("container.bounce", |s| Some(&mut s.container.as_mut()?.bounce)),
+    ("container.slip", |s| Some(&mut s.container.as_mut()?.slip)),
+    ("walls.low", |s| Some(&mut wall(s)?.0[0])),
+    ("walls.high", |s| Some(&mut wall(s)?.1[0])),
+    ("walls.velocity", |s| walled(s)?.velocity.first_mut()),
+    ("walls.dynamic_viscosity", |s| Some(walled(s)?.dynamic_viscosity.get_or_insert(1.0))),
+    ("periodic.low", |s| periodic(s).low.first_mut()),
+    ("periodic.high", |s| periodic(s).high.first_mut()),
+    ("elasticity.reach", |s| Some(&mut elastic(s).reach)),
+    ("elasticity.plasticity.rate", |s| Some(&mut plastic(s).rate)),
+    ("elasticity.plasticity.yield_strain", |s| Some(&mut plastic(s).yield_strain)),
+    ("elasticity.break_at", |s| Some(elastic(s).break_at.get_or_insert(1.0))),
+    ("air.threshold", |s| Some(&mut air(s).threshold)),
+    ("air.minimum_density", |s| Some(&mut air(s).minimum_density)),
+    ("model.surface_threshold", |s| Some(&mut s.model.surface_threshold)),
+    ("model.correction.tolerance", |s| Some(&mut s.model.correction.tolerance)),
+    ("model.variable_support.smallest", |s| Some(&mut range(s).smallest)),
+    ("model.variable_support.largest", |s| Some(&mut range(s).largest)),
+];
+
+/// The cases.
+///
+/// # Errors
+/// A built-in scene that cannot be read.
+pub fn cases() -> Result<Vec<Case>, Failure> {
+    let mut scene = built_in("dam-break-2d", PARTICLES)?;
+    scene.grid.cells = CELLS;
+    let mut cases = Vec::new();
+    for (name, number) in NUMBERS {
+        for value in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30] {
+            let mut scene = scene.clone();
+            if let Some(number) = number(&mut scene) {
+                *number = value;
+            }
+            let end = if value.is_finite() { End::Either(Measure::Finite) } else { End::Refused(is_of_a_number) };
+            cases.push(Case::of_scene(format!("{name} {value:e}"), scene, STEPS, end));
+        }
+    }
+    Ok(cases)
+}
+
+/// Is it said of a number that it is none, or outside of its bounds?
+fn is_of_a_number(error: &SceneError) -> bool {
+    matches!(error, SceneError::NotFinite { .. } | SceneError::OutOfBounds { .. })
+}
+
+fn wind(scene: &mut Scene) -> &mut Wind {
+    scene.wind.get_or_insert(Wind { velocity: [1.0, 0.0, 0.0], drag: 1.0 })
+}
+
+fn field(scene: &mut Scene) -> &mut FieldLattice {
+    scene.field.get_or_insert(FieldLattice { low: [0.0; 3], spacing: 1.0, counts: [4, 4, 1] })
+}
+
+fn pulled(scene: &mut Scene) -> &mut Fluid {
+    scene.model.surface_tension = SurfaceTension::NormalCurvature;
+    &mut scene.fluid
+}
+
+fn heated(scene: &mut Scene) -> &mut Fluid {
+    scene.model.thermal_energy = true;
+    &mut scene.fluid
+}
+
+fn other(scene: &mut Scene) -> Option<&mut Fluid> {
+    // no more than a scene can have
+    let _ = scene.other_fluids.push(Fluid::default());
+    scene.other_fluids.last_mut()
+}
+
+fn walled(scene: &mut Scene) -> Option<&mut Wall> {
+    let shape = WallShape::Box { low: [0.0; 3], high: [0.5, 0.5, 0.0], open: [].into_iter().collect() };
+    let _ = scene.walls.push(Wall::still(shape));
+    scene.walls.last_mut()
+}
+
+/// Low and high corner of a wall.
+fn wall(scene: &mut Scene) -> Option<(&mut [f32; 3], &mut [f32; 3])> {
+    let (WallShape::Plane { low, high, .. } | WallShape::Box { low, high, .. }) = &mut walled(scene)?.shape;
+    Some((low, high))
+}
+
+fn periodic(scene: &mut Scene) -> &mut Periodic {
+    scene.periodic.get_or_insert(Periodic { low: [0.0; 3], high: [4.0, 3.0, 0.0], axes: [true, false, false] })
+}
+
+fn elastic(scene: &mut Scene) -> &mut millpond_core::scene::Elasticity {
+    scene.fluid.elastic_stiffness = 1000.0;
+    &mut scene.elasticity
+}
+
+fn plastic(scene: &mut Scene) -> &mut Plasticity {
+    elastic(scene).plasticity.get_or_insert(Plasticity { rate: 1.0, yield_strain: 0.1 })
+}
+
+fn air(scene: &mut Scene) -> &mut Air {
+    let _ = other(scene);
+    scene.air.get_or_insert(Air { fluid: 1, capacity: 20, threshold: 0.3, minimum_density: 0.1 })
+}
+
+fn range(scene: &mut Scene) -> &mut SupportRange {
+    scene.model.variable_support.get_or_insert(SupportRange { smallest: 0.8, largest: 1.2 })
+}

@@ -1,0 +1,55 @@
+//! Promise: what nobody should ask for ends in a sound state, or in a refusal by name that changes nothing; never in a hang, a
+//! panic or numbers that mean nothing and do not say so. The cases are those of `millpond check extremes`.
+use millpond::Failure;
+use millpond::extremes::{Case, coincident, inputs, judge, particles, settings};
+use millpond_gpu::Mode;
+
+mod support;
+use support::device;
+
+fn end_well(test: &str, cases: Result<Vec<Case>, Failure>) {
+    let gpu = device(test, Mode::Strict);
+    let mut faults = Vec::new();
+    for case in cases.expect("built-in scenes") {
+        let verdict = judge(&case, gpu.as_ref()).unwrap_or_else(|failure| panic!("{}: {failure}", case.name));
+        faults.extend(verdict.faults.iter().map(|fault| format!("{}: {fault}", case.name)));
+    }
+    assert!(faults.is_empty(), "{test}:\n{}", faults.join("\n"));
+}
+
+#[test]
+fn odd_particles() {
+    end_well("extremes_end_well, particles", particles::cases());
+}
+
+#[test]
+fn two_particles_at_one_place_under_every_choice() {
+    end_well("extremes_end_well, coincident", coincident::cases());
+}
+
+#[test]
+fn odd_scenes() {
+    end_well("extremes_end_well, settings", settings::cases());
+}
+
+#[test]
+fn every_number_of_a_scene_as_what_no_number_should_be() {
+    end_well("extremes_end_well, inputs", inputs::cases());
+}
+
+#[test]
+fn and_one_that_should_end_otherwise_is_found() {
+    use millpond::extremes::End;
+    // what is refused was to run, and what runs was to be refused: both by the particles' and by the steps' errors
+    let mut wrong: Vec<Case> = particles::cases().expect("built-in scenes");
+    for case in &mut wrong {
+        case.end = match case.end {
+            End::Refused(_) => End::Stopped(|_| true),
+            _ => End::Refused(|_| true),
+        };
+    }
+    for case in wrong.iter().filter(|case| !case.name.contains("10^4")) {
+        let verdict = judge(case, None).expect("no device that could fail");
+        assert!(!verdict.faults.is_empty(), "{}", case.name);
+    }
+}
