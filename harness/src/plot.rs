@@ -21,7 +21,7 @@ pub struct Mark {
 const SIZE: (u32, u32) = (900, 600);
 const FRONT: RGBColor = RGBColor(60, 70, 80);
 /// Okabe and Ito's colours, which most colour-blind readers can tell apart.
-const SERIES: [RGBColor; 6] = [
+pub(crate) const SERIES: [RGBColor; 6] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),

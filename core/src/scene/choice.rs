@@ -201,12 +201,12 @@ choice! {
         Leapfrog = integrate::LEAPFROG => &["leapfrog_position", "leapfrog_velocity"],
         /// Clavet's prediction and relaxation (eq. 2.35): to 1.155, and 0.667.
         Clavet = integrate::PREDICTION_RELAXATION => &["clavet_prediction", "clavet_relaxation", "clavet_velocity"],
-        /// Beeman (eq. 2.36): to 2, and 0.533.
+        /// Beeman (eq. 2.36): to 2, and 0.534.
         Beeman = integrate::BEEMAN => &["beeman_position", "beeman_velocity"],
-        /// With a predicted velocity (eq. 2.37): to 2, and 0.293.
+        /// With a predicted velocity (eq. 2.37): to 2, and 0.294.
         VelocityCorrectedBeeman = integrate::VELOCITY_CORRECTED_BEEMAN =>
             &["beeman_position", "beeman_prediction", "velocity_corrected"],
-        /// With both predicted and corrected (eq. 2.38): never stable, and to 0.26.
+        /// With both predicted and corrected (eq. 2.38): not from 0 on, and to 0.26.
         PositionCorrectedBeeman = integrate::POSITION_CORRECTED_BEEMAN =>
             &["beeman_position", "beeman_prediction", "position_corrected", "position_corrected_velocity"],
     }

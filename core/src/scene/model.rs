@@ -11,7 +11,7 @@ pub struct ModelChoice {
     /// How particles are moved.
     pub integrator: Integrator,
     /// Evaluate forces once more at the end of a step, with the velocities that it came to (errata of S0 eq. 2.33): twice the
-    /// cost, for stability and order under damping (default off).
+    /// cost, for stability under damping. Verlet's loses some of it and gains an order; the others keep theirs (default off).
     pub reevaluate: bool,
     /// Kernel of the density sum, and of XSPH.
     pub density_kernel: Kernel,

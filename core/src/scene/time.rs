@@ -18,13 +18,21 @@ impl Integrator {
         }
     }
 
-    /// And where they do, with one evaluation a step; evaluated again, [`ModelChoice::reevaluate`](super::ModelChoice), those of
-    /// Verlet's and Beeman's kin that are of order 1 are of order 2.
+    /// And where they do, with one evaluation a step.
     #[must_use]
     pub fn damped_order(self) -> u32 {
         match self {
             Integrator::VelocityCorrectedBeeman | Integrator::PositionCorrectedBeeman => 2,
             _ => 1,
+        }
+    }
+
+    /// The same with forces evaluated again ([`ModelChoice::reevaluate`](super::ModelChoice)).
+    #[must_use]
+    pub fn damped_order_twice(self) -> u32 {
+        match self {
+            Integrator::Verlet => 2,
+            _ => self.damped_order(),
         }
     }
 

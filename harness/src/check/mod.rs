@@ -13,6 +13,7 @@ mod evaluation;
 mod extremes;
 mod flow;
 mod hydrostatic;
+pub mod integrators;
 mod kernels;
 mod laplace_drop;
 mod lattice;
@@ -52,7 +53,7 @@ pub struct Options {
     /// One JSON document on stdout, everything else on stderr
     #[arg(long)]
     json: bool,
-    /// Folder for reports
+    /// Folder for reports and figures
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }
@@ -64,6 +65,8 @@ pub struct Context {
     pub pool: Pool,
     /// Coarser and shorter.
     pub quick: bool,
+    /// Where figures and tables go, if anywhere.
+    pub folder: Option<PathBuf>,
 }
 
 /// A named study.
@@ -82,6 +85,11 @@ pub const STUDIES: &[Study] = &[
         name: "kernels",
         about: "kernels by quadrature, by differences, on lattices, and from tables",
         run: kernels::run,
+    },
+    Study {
+        name: "integrators",
+        about: "ten integrators on S0's oscillators: limits, orders, areas, and S0's tables 2.1 to 2.4 beside ours",
+        run: integrators::run,
     },
     Study {
         name: "tensile",
@@ -169,7 +177,7 @@ struct All {
 /// No such study, a scene that cannot start, files that cannot be written.
 pub fn execute(options: &Options) -> Result<bool, Failure> {
     let Some(name) = &options.name else { return list(options.json) };
-    let context = Context { pool: Pool::new(options.threads)?, quick: options.quick };
+    let context = Context { pool: Pool::new(options.threads)?, quick: options.quick, folder: options.out.clone() };
     if name == "all" {
         return check_all(options, &context);
     }

@@ -41,7 +41,8 @@ pub fn velocity_corrected<R: Real>(prediction: vec3<R>, second: vec3<R>, dt: R) 
 }
 
 /// Position-corrected Beeman (S0 eq. 2.38 per errata), m/s: `v_t + (5/12 a_{t+1} + 8/12 a_t - 1/12 a_{t-1}) dt`, from the prediction.
-/// Order 3 without damping, where it grows at any step by 1 + 0.042 (omega dt)^4; 2 with it.
+/// Order 3 without damping, where it grows by 1 + (omega dt)^4 / 24 at small steps, and only those from omega dt = 0.738 to
+/// sqrt(3 / 2) are stable; 2 with it.
 #[inline(always)]
 pub fn position_corrected_velocity<R: Real>(prediction: vec3<R>, second: vec3<R>, dt: R) -> vec3<R> {
     let share = div(dt * 5.0, real(12.0));

@@ -1,0 +1,170 @@
+//! S0's oscillators (sections 2.3.2 and 2.3.3), moved by the very terms that move particles.
+use super::scheme::Scheme;
+use millpond_core::arithmetic::double::Double;
+use millpond_core::arithmetic::real::{Real, real, vec3};
+use millpond_core::layout::{Model, Parameters};
+use millpond_core::terms::integrate::{
+    MODIFIED_VELOCITY_VERLET, history_after, history_turned, is_beeman, moved, position_after, velocity_after,
+    velocity_for_forces,
+};
+
+/// In which precision a motion is computed.
+pub trait Precision: Real {
+    /// The nearest number.
+    fn of(x: f64) -> Self;
+    /// The number.
+    fn value(self) -> f64;
+}
+
+impl Precision for f32 {
+    fn of(x: f64) -> f32 {
+        x as f32
+    }
+    fn value(self) -> f64 {
+        f64::from(self)
+    }
+}
+
+impl Precision for Double {
+    fn of(x: f64) -> Double {
+        Double(x)
+    }
+    fn value(self) -> f64 {
+        self.0
+    }
+}
+
+/// A mass on a spring: `a = -omega^2 (1 + s x^2) x - 2 zeta omega v`.
+#[derive(Clone, Copy, Debug)]
+pub struct Oscillator {
+    /// omega, 1/s.
+    pub omega: f64,
+    /// zeta: 0 undamped, 1 critically damped.
+    pub damping: f64,
+    /// s, 1/m2: how the spring stiffens as it is stretched; 0 in S0.
+    pub hardening: f64,
+}
+
+impl Oscillator {
+    /// One of S0's.
+    #[must_use]
+    pub fn linear(omega: f64, damping: f64) -> Oscillator {
+        Oscillator { omega, damping, hardening: 0.0 }
+    }
+
+    /// m/s2.
+    fn acceleration<R: Precision>(&self, x: vec3<R>, v: vec3<R>) -> vec3<R> {
+        // in this order: what has grown beyond all bounds has no square
+        let stiffness = -(x.x * R::of(self.hardening) * x.x + 1.0) * R::of(self.omega * self.omega);
+        x * stiffness - v * R::of(2.0 * self.damping * self.omega)
+    }
+
+    /// Position, m, and velocity, m/s, after `t` seconds from these: S0 eqs. 2.39, 2.40 (per errata) and what lies between
+    /// them. Of a linear spring with `damping <= 1`.
+    #[must_use]
+    pub fn exact(&self, [x, v]: [f64; 2], t: f64) -> [f64; 2] {
+        let decay = self.damping * self.omega;
+        let swing = self.omega * (1.0 - self.damping * self.damping).max(0.0).sqrt();
+        let (sin, cos) = (swing * t).sin_cos();
+        // sin(swing t) / swing, which is t where it does not swing
+        let sinc = if swing > 0.0 { sin / swing } else { t };
+        let fall = (-decay * t).exp();
+        let push = v + decay * x;
+        [fall * (x * cos + push * sinc), fall * (v * cos - (self.omega * self.omega * x + decay * v) * sinc)]
+    }
+}
+
+/// An oscillator that is being stepped.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion<R> {
+    oscillator: Oscillator,
+    twice: bool,
+    model: Model,
+    parameters: Parameters,
+    x: vec3<R>,
+    v: vec3<R>,
+    a: vec3<R>,
+    history: vec3<R>,
+}
+
+impl<R: Precision> Motion<R> {
+    /// From a position, m, and a velocity, m/s, as a solver starts its particles; the time step in s.
+    #[must_use]
+    pub fn start(scheme: Scheme, oscillator: Oscillator, time_step: f32, [x, v]: [f64; 2]) -> Motion<R> {
+        let model = Model { integrator: scheme.integrator as u32, ..bytemuck::Zeroable::zeroed() };
+        let parameters = steps_of(time_step);
+        let (x, v) = (along_x(x), along_x(v));
+        let a = oscillator.acceleration(x, v);
+        let history = if is_beeman(&model) {
+            // as the solver does: the acceleration where a step back in time leads
+            let (back, p) = (Model { integrator: MODIFIED_VELOCITY_VERLET, ..model }, steps_of(-time_step));
+            oscillator.acceleration(moved(&back, &p, x, v, a, a), velocity_for_forces(&back, &p, v, a, a))
+        } else {
+            history_turned(&model, &parameters, v, a, a)
+        };
+        Motion { oscillator, twice: scheme.twice, model, parameters, x, v, a, history }
+    }
+
+    /// The same with another history: of Verlet the last displacement, m, of the three of Beeman the acceleration before, m/s2.
+    #[must_use]
+    pub fn remembering(self, history: f64) -> Motion<R> {
+        Motion { history: along_x(history), ..self }
+    }
+
+    /// One time step.
+    pub fn step(&mut self) {
+        let (m, p, earlier, history) = (&self.model, &self.parameters, self.a, self.history);
+        let x = moved(m, p, self.x, self.v, earlier, history);
+        let v = velocity_for_forces(m, p, self.v, earlier, history);
+        let a = self.oscillator.acceleration(x, v);
+        self.v = velocity_after(m, p, v, a, earlier, history);
+        self.x = position_after(m, p, x, a, earlier, history);
+        self.history = history_after(m, p, earlier, history);
+        self.a = if self.twice { self.oscillator.acceleration(self.x, self.v) } else { a };
+    }
+
+    /// Position, m.
+    #[must_use]
+    pub fn position(&self) -> f64 {
+        self.x.x.value()
+    }
+
+    /// Velocity, m/s.
+    #[must_use]
+    pub fn velocity(&self) -> f64 {
+        self.v.x.value()
+    }
+
+    /// Length of `(x, v / omega)`, m: the amplitude, whatever the phase.
+    #[must_use]
+    pub fn amplitude(&self) -> f64 {
+        self.position().hypot(self.velocity() / self.oscillator.omega)
+    }
+}
+
+fn steps_of(time_step: f32) -> Parameters {
+    let (half_time_step, inverse_time_step) = (0.5 * time_step, 1.0 / time_step);
+    Parameters { time_step, half_time_step, inverse_time_step, ..bytemuck::Zeroable::zeroed() }
+}
+
+fn along_x<R: Precision>(x: f64) -> vec3<R> {
+    vec3(R::of(x), real(0.0), real(0.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_exact_motion_obeys_its_equation() {
+        for damping in [0.0, 0.1, 0.5, 1.0] {
+            let oscillator = Oscillator::linear(3.0, damping);
+            let (start, t, step) = ([0.5, -0.7], 0.8, 1e-5);
+            let [before, now, after] = [t - step, t, t + step].map(|t| oscillator.exact(start, t));
+            let slope = [0, 1].map(|i| (after[i] - before[i]) / (2.0 * step));
+            let a = -9.0 * now[0] - 6.0 * damping * now[1];
+            assert!((slope[0] - now[1]).abs() < 1e-8 && (slope[1] - a).abs() < 1e-8, "{damping}: {slope:?}");
+            assert_eq!(oscillator.exact(start, 0.0), start);
+        }
+    }
+}

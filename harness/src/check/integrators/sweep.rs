@@ -1,0 +1,146 @@
+//! Fine sweeps over omega dt: growth in a step by theory, and what 30 s of an undamped oscillator come to; as figures and as
+//! a table for whoever wants the numbers.
+use super::plots::{Area, Trouble, in_file};
+use super::swings::{Swing, TIME_STEP};
+use super::{NAME, Scheme, theory};
+use crate::failure::Failure;
+use crate::output::write_text;
+use crate::plot::SERIES;
+use millpond_core::scene::Integrator;
+use plotters::prelude::SeriesLabelPosition::{LowerRight, UpperLeft};
+use plotters::prelude::*;
+use std::path::Path;
+
+/// Pixels of a figure of two panels.
+const SIZE: (u32, u32) = (1500, 640);
+
+/// omega dt of the sweep: its step, and how many.
+const STEP: f64 = 0.02;
+const STEPS: u32 = 120;
+
+/// From here on: the last 5 s of a run are to hold half a period.
+const FIRST: u32 = 5;
+
+/// What the frames hold: growth in a step, decades of an amplitude, per cent of a frequency.
+const GROWTH: [f64; 2] = [0.0, 2.0];
+const AMPLITUDE: [f64; 2] = [-3.0, 3.0];
+const FREQUENCY: [f64; 2] = [-30.0, 60.0];
+
+/// Curves that differ by less, as a share, are drawn as one.
+const SAME: f64 = 1e-4;
+
+/// A curve and who makes it.
+#[derive(Clone, Debug)]
+struct Curve {
+    names: Vec<String>,
+    points: Vec<[f64; 2]>,
+}
+
+/// Figures and table of the sweep.
+///
+/// # Errors
+/// A file that cannot be written.
+pub(super) fn draw(folder: &Path) -> Result<(), Failure> {
+    let growth = |damping| curves(GROWTH, |scheme, p| Some(theory::growth(scheme, p, damping)));
+    in_file(&folder.join(format!("{NAME}-growth.svg")), SIZE, |area| {
+        let (left, right) = area.split_horizontally(50.percent_width());
+        panel(&left, "growth in a step, undamped", GROWTH, UpperLeft, &growth(0.0))?;
+        panel(&right, "growth in a step, critically damped", GROWTH, UpperLeft, &growth(1.0))
+    })?;
+    let amplitude = curves(AMPLITUDE, |scheme, p| Some(Swing::of(scheme, p, 0.0).amplitude().log10()));
+    let frequency = curves(FREQUENCY, |scheme, p| {
+        let [_, angle] = Swing::of(scheme, p, 0.0).growth_and_angle()?;
+        Some((angle / p - 1.0) * 100.0)
+    });
+    in_file(&folder.join(format!("{NAME}-sweep.svg")), SIZE, |area| {
+        let (left, right) = area.split_horizontally(50.percent_width());
+        let title = "log10 of the amplitude after 30 s over the first, undamped";
+        panel(&left, title, AMPLITUDE, LowerRight, &amplitude)?;
+        panel(&right, "error of the frequency, %, undamped", FREQUENCY, UpperLeft, &frequency)
+    })?;
+    write_text(&folder.join(format!("{NAME}-sweep.csv")), &table())
+}
+
+/// The sweep of all schemes as lines of numbers.
+fn table() -> String {
+    let mut out =
+        String::from("scheme,omega_dt,omega_per_s,amplitude,velocity_amplitude,frequency_ratio,damped_error\n");
+    for scheme in Scheme::all() {
+        let name = scheme.name().replace(", ", " ");
+        for p in sweep() {
+            let (free, damped) = (Swing::of(scheme, p, 0.0), Swing::of(scheme, p, 1.0));
+            let frequency = free.growth_and_angle().map_or(String::new(), |[_, angle]| format!("{:.6}", angle / p));
+            let [x, v, error] = [free.amplitude(), free.velocity_amplitude(), damped.error()];
+            out += &format!("{name},{p:.2},{:.3},{x:.4e},{v:.4e},{frequency},{error:.4e}\n", p / TIME_STEP);
+        }
+    }
+    out
+}
+
+fn sweep() -> impl Iterator<Item = f64> {
+    (FIRST..=STEPS).map(|step| STEP * f64::from(step))
+}
+
+/// A curve an integrator as far as it lies in the frame, those that coincide as one.
+fn curves([low, high]: [f64; 2], value: impl Fn(Scheme, f64) -> Option<f64>) -> Vec<Curve> {
+    let mut all: Vec<Curve> = Vec::new();
+    for scheme in Integrator::ALL.iter().copied().map(Scheme::once) {
+        let seen = |p| value(scheme, p).filter(|y| (low..=high).contains(y)).map(|y| [p, y]);
+        let points: Vec<[f64; 2]> = sweep().filter_map(seen).collect();
+        match all.iter_mut().find(|curve| same(&curve.points, &points)) {
+            Some(curve) => curve.names.push(scheme.name()),
+            None => all.push(Curve { names: vec![scheme.name()], points }),
+        }
+    }
+    all
+}
+
+fn same(a: &[[f64; 2]], b: &[[f64; 2]]) -> bool {
+    let close = |([p, x], [q, y]): (&[f64; 2], &[f64; 2])| p == q && (x - y).abs() <= SAME * (1.0 + x.abs());
+    a.len() == b.len() && a.iter().zip(b).all(close)
+}
+
+/// Curves over omega dt.
+fn panel(
+    area: &Area<'_>,
+    title: &str,
+    [low, high]: [f64; 2],
+    legend: SeriesLabelPosition,
+    curves: &[Curve],
+) -> Result<(), Trouble> {
+    let last = STEP * f64::from(STEPS);
+    let mut chart = ChartBuilder::on(area)
+        .caption(title, ("sans-serif", 20))
+        .margin(12)
+        .x_label_area_size(44)
+        .y_label_area_size(52)
+        .build_cartesian_2d(0.0..last, low..high)?;
+    chart.configure_mesh().x_desc("omega dt").label_style(("sans-serif", 14)).light_line_style(WHITE).draw()?;
+    for (i, Curve { names, points }) in curves.iter().enumerate() {
+        let colour = SERIES[i % SERIES.len()];
+        let points = points.iter().map(|[p, y]| (*p, *y));
+        // the second round of colours is dashed
+        let key = move |(x, y), dashed: bool| {
+            let size = if dashed { 8 } else { 22 };
+            PathElement::new([(x, y), (x + size, y)], colour.stroke_width(3))
+        };
+        let label = names.join(", ");
+        if i < SERIES.len() {
+            chart
+                .draw_series(LineSeries::new(points, colour.stroke_width(2)))?
+                .label(label)
+                .legend(move |at| key(at, false));
+        } else {
+            let line = DashedLineSeries::new(points, 8, 6, colour.stroke_width(2));
+            chart.draw_series(line)?.label(label).legend(move |at| key(at, true));
+        }
+    }
+    chart
+        .configure_series_labels()
+        .background_style(WHITE.mix(0.85))
+        .border_style(BLACK.mix(0.4))
+        .label_font(("sans-serif", 13))
+        .position(legend)
+        .margin(10)
+        .draw()
+}
