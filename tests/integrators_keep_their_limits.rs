@@ -55,15 +55,15 @@ fn the_limits_are_known_numbers() {
 
 #[test]
 fn two_of_them_grow_at_small_steps_without_damping() {
-    for (integrator, growth) in [
-        (Integrator::Euler, (|p: f64| p * p / 2.0) as fn(f64) -> f64),
-        (Integrator::PositionCorrectedBeeman, |p: f64| p.powi(4) / 24.0),
-    ] {
+    // p^2 / 2, and p^4 / 24
+    for (integrator, power, share) in
+        [(Integrator::Euler, 2, 0.5), (Integrator::PositionCorrectedBeeman, 4, 1.0 / 24.0)]
+    {
         let scheme = Scheme::once(integrator);
-        let p = 0.05;
+        let p: f64 = 0.05;
         assert_eq!(theory::limit(scheme, 0.0), 0.0);
         let found = theory::growth(scheme, p, 0.0) - 1.0;
-        assert!((found / growth(p) - 1.0).abs() < 0.01, "{integrator:?}: {found}");
+        assert!((found / (share * p.powi(power)) - 1.0).abs() < 0.01, "{integrator:?}: {found}");
         assert!(grows::<Double>(scheme, 0.0, 0.4), "{integrator:?}");
     }
 }

@@ -116,23 +116,15 @@ fn panel(
         .y_label_area_size(52)
         .build_cartesian_2d(0.0..last, low..high)?;
     chart.configure_mesh().x_desc("omega dt").label_style(("sans-serif", 14)).light_line_style(WHITE).draw()?;
-    for (i, Curve { names, points }) in curves.iter().enumerate() {
-        let colour = SERIES[i % SERIES.len()];
-        let points = points.iter().map(|[p, y]| (*p, *y));
-        // the second round of colours is dashed
-        let key = move |(x, y), dashed: bool| {
-            let size = if dashed { 8 } else { 22 };
-            PathElement::new([(x, y), (x + size, y)], colour.stroke_width(3))
-        };
-        let label = names.join(", ");
-        if i < SERIES.len() {
-            chart
-                .draw_series(LineSeries::new(points, colour.stroke_width(2)))?
-                .label(label)
-                .legend(move |at| key(at, false));
-        } else {
-            let line = DashedLineSeries::new(points, 8, 6, colour.stroke_width(2));
-            chart.draw_series(line)?.label(label).legend(move |at| key(at, true));
+    // a seventh curve is black
+    let colours = SERIES.into_iter().chain([BLACK]).cycle();
+    for (Curve { names, points }, colour) in curves.iter().zip(colours) {
+        let style = colour.stroke_width(2);
+        let key = move |(x, y)| PathElement::new([(x, y), (x + 22, y)], style);
+        chart.draw_series(LineSeries::new([], style))?.label(names.join(", ")).legend(key);
+        // a curve that left the frame and came back is drawn in two pieces
+        for piece in points.chunk_by(|a, b| b[0] - a[0] < 1.5 * STEP) {
+            chart.draw_series(LineSeries::new(piece.iter().map(|[p, y]| (*p, *y)), style))?;
         }
     }
     chart

@@ -149,7 +149,8 @@ mod tests {
             ];
             for (integrator, closed) in known {
                 let found = limit(Scheme::once(integrator), damping);
-                assert!((found / closed - 1.0).abs() < 1e-6, "{integrator:?} at {damping}: {found}, {closed}");
+                // Jury's table has a third of the digits where roots coincide, as Euler's do at zeta = 1
+                assert!((found / closed - 1.0).abs() < 1e-5, "{integrator:?} at {damping}: {found}, {closed}");
             }
         }
         for integrator in Integrator::ALL.iter().copied() {
