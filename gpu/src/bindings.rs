@@ -85,13 +85,13 @@ arrays! {
     NewEnds = "new_ends": "array<u32x2>",
     /// Nodes of the host's field.
     FieldNodes = "field_nodes": "array<f32x4>",
-    /// Cell of each particle.
+    /// Cell of each particle, by its slot before the step; once that is known, its slot after it.
     Cell = "cell": "array<u32>",
     /// Rank of each particle in its cell.
     Rank = "rank": "array<u32>",
     /// First slot of each cell.
     Begin = "begin": "array<u32>",
-    /// Old slot of each new one.
+    /// Slots before the step, cell by cell, those of a cell in no order.
     Order = "order": "array<u32>",
     /// Places of the cells.
     GridCells = "grid_cells": "array<u32>",
@@ -154,14 +154,15 @@ pub fn arrays(pass: Pass) -> &'static [(Array, Access)] {
         ],
         Pass::Order => &[
             (Head, Read),
+            (Cell, Write),
             (Begin, Read),
             (OldId, Read),
             (GridCells, Read),
-            (Order, Write),
+            (Order, Read),
             (NewId, Write),
             (SlotOf, Write),
         ],
-        Pass::Gather => &[(Head, Read), (Order, Read), (GatherFrom, Read), (GatherTo, Write)],
+        Pass::Gather => &[(Head, Read), (Cell, Read), (GatherFrom, Read), (GatherTo, Write)],
         Pass::Support => &[(Head, Read), (Previous, Write)],
         Pass::Density => &[
             (Head, Read),
@@ -297,8 +298,6 @@ pub fn arrays(pass: Pass) -> &'static [(Array, Access)] {
 pub enum Threads {
     /// One a particle.
     Particles,
-    /// One a cell.
-    Cells,
     /// One work group.
     OneGroup,
 }
@@ -307,7 +306,6 @@ pub enum Threads {
 #[must_use]
 pub fn threads(pass: Pass) -> Threads {
     match pass {
-        Pass::Order => Threads::Cells,
         Pass::Scan | Pass::PressureSettle | Pass::Air | Pass::Commit => Threads::OneGroup,
         _ => Threads::Particles,
     }

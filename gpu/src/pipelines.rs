@@ -42,14 +42,14 @@ fn is_force(pass: Pass) -> bool {
 }
 
 /// The commands of a step.
-pub(crate) fn commands(gpu: &Gpu, plan: &Plan, buffers: &Buffers, counts: [u32; 2]) -> Result<Vec<Command>, GpuError> {
+pub(crate) fn commands(gpu: &Gpu, plan: &Plan, buffers: &Buffers, particles: u32) -> Result<Vec<Command>, GpuError> {
     let mut commands = Vec::new();
     let mut again = Vec::new();
     for pass in plan.passes() {
         let (layout, pipeline) = pipeline(gpu, pass, plan)?;
         let command = |role: Role| {
             let groups = [0, 1].map(|old| bind(gpu, pass, &layout, buffers, old, role));
-            Command { pass, pipeline: pipeline.clone(), groups, size: size(pass, counts) }
+            Command { pass, pipeline: pipeline.clone(), groups, size: size(pass, particles) }
         };
         if pass == Pass::Coat || pass == Pass::IntegrateAfter {
             commands.append(&mut again);
@@ -95,10 +95,9 @@ pub(crate) fn record(commands: &[Command], encoder: &mut wgpu::CommandEncoder, o
 }
 
 /// Work groups of a pass, in rows.
-fn size(pass: Pass, [particles, cells]: [u32; 2]) -> [u32; 2] {
+fn size(pass: Pass, particles: u32) -> [u32; 2] {
     let groups = match threads(pass) {
         Threads::Particles => particles.div_ceil(workgroup(pass)),
-        Threads::Cells => cells.div_ceil(workgroup(pass)),
         Threads::OneGroup => 1,
     };
     let rows = groups.div_ceil(MOST_GROUPS).max(1);

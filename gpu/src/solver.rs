@@ -82,10 +82,9 @@ impl GpuSolver {
     pub fn new(gpu: &Gpu, solver: &Solver<'_>) -> Result<GpuSolver, GpuError> {
         let parameters = solver.parameters();
         let plan = solver.plan();
-        let counts = [parameters.particle_count, parameters.cells[3]];
         let (buffers, commands) = gpu.caught(|| {
             let buffers = Buffers::of(gpu, solver)?;
-            let commands = commands(gpu, plan, &buffers, counts)?;
+            let commands = commands(gpu, plan, &buffers, parameters.particle_count)?;
             Ok((buffers, commands))
         })?;
         Ok(GpuSolver {

@@ -11,6 +11,9 @@ fn pass_body(a: u32) {
   let axis = axis_out_of_range(x);
   if axis < 3u {
     atomicMin(&head.status.out_of_range, 4u * old_id[a] + axis);
+    // the step has failed, and its next passes must still find a cell
+    cell[a] = 0u;
+    rank[a] = 0u;
     return;
   }
   let own = cell_index(cell_of(x));

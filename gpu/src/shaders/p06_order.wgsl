@@ -1,25 +1,25 @@
-// Ascending id inside each cell: insertion sort, a thread a cell. With cell lists the members are in its places.
-fn pass_body(c: u32) {
-  if c >= p.cells.w || head.status.failed != 0u { return; }
-  // nothing is ever summed over air that is not there
-  if m.air == 1u && c == p.cells.w - 1u { return; }
-  let first = begin[c];
-  var count = head.counter[c];
+// The slot of each particle, where its cell stood: inside a cell ids ascend. A particle counts the members that come before it.
+// One thread that sorted a cell would be busy with a crowded one for the square of its members: some devices give up on that,
+// and some, unasked, end its loops.
+fn pass_body(a: u32) {
+  if a >= p.particle_count || head.status.failed != 0u { return; }
+  let own = cell[a];
+  let id = old_id[a];
+  // air that is not there has its slot already
+  if m.air == 1u && own == p.cells.w - 1u {
+    cell[a] = slot_of[id];
+    return;
+  }
+  let first = begin[own];
+  var count = head.counter[own];
   if m.cell_places > 0u { count = min(count, m.cell_places); }
+  var slot = first;
   for (var i = 0u; i < count; i += 1u) {
-    var slot = 0u;
-    if m.cell_places > 0u { slot = grid_cells[c * m.cell_places + i]; } else { slot = order[first + i]; }
-    let key = old_id[slot];
-    var j = first + i;
-    while j > first && new_id[j - 1u] > key {
-      order[j] = order[j - 1u];
-      new_id[j] = new_id[j - 1u];
-      j -= 1u;
-    }
-    order[j] = slot;
-    new_id[j] = key;
+    var other = 0u;
+    if m.cell_places > 0u { other = grid_cells[own * m.cell_places + i]; } else { other = order[first + i]; }
+    if old_id[other] < id { slot += 1u; }
   }
-  if m.springs == 1u || m.air == 1u {
-    for (var j = first; j < first + count; j += 1u) { slot_of[new_id[j]] = j; }
-  }
+  cell[a] = slot;
+  new_id[slot] = id;
+  if m.springs == 1u || m.air == 1u { slot_of[id] = slot; }
 }

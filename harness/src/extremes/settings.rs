@@ -138,7 +138,7 @@ fn sound(dam: &Scene) -> Vec<Case> {
         Case::of_scene(
             "1500 m/s with Tait in steps that fit",
             with(1500.0, fitting),
-            STEPS,
+            3 * STEPS,
             End::Runs(Measure::Contained),
         ),
         Case::of_scene("a block hits a wall at Mach 1", mach_1, STEPS, End::Runs(Measure::Contained)),
