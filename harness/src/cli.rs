@@ -2,7 +2,7 @@
 use crate::failure::Failure;
 use crate::output::{print_json, say};
 use crate::scenes::{BUILT_IN, Changes, load};
-use crate::{bench, check, compare, error_study, plan_view, run, showcase};
+use crate::{bench, check, compare, error_study, plan_view, run, showcase, stability};
 use clap::{Parser, Subcommand};
 
 /// A deterministic, fixed-capacity SPH fluid: run it, compare its backends bit for bit, weigh error against run time.
@@ -29,6 +29,8 @@ enum Command {
     Error(error_study::Options),
     /// Hold the fluid against references from outside: named studies with limits
     Check(check::Options),
+    /// Map the largest stable time step of a scene over axes such as stiffness and integrator; of `tower`, S1's figures
+    Stability(stability::Options),
     /// List the built-in scenes
     Scenes {
         /// One JSON document on stdout
@@ -51,6 +53,7 @@ impl Cli {
             Some(Command::Plan(options)) => plan_view::execute(&options),
             Some(Command::Error(options)) => error_study::execute(&options),
             Some(Command::Check(options)) => check::execute(&options),
+            Some(Command::Stability(options)) => stability::execute(&options),
             Some(Command::Scenes { json }) => list_scenes(json),
         }
     }

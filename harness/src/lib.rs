@@ -1,9 +1,10 @@
 //! millpond: the program that runs fluid scenes on both backends and shows that they agree, how fast they are and how
 //! far off.
 //!
-//! Each command has a module of its own: [`run`], [`compare`], [`mod@bench`], [`plan_view`], [`error_study`], [`check`], and
-//! [`showcase`], which is what happens without any. They share [`scenes`] (what runs), [`fluid`] (a scene on a backend),
-//! [`census`] (what can be said of it), [`extremes`] (what no scene should be) and the drawing in [`paint`], [`frames`] and [`plot`].
+//! Each command has a module of its own: [`run`], [`compare`], [`mod@bench`], [`plan_view`], [`error_study`], [`check`],
+//! [`stability`], and [`showcase`], which is what happens without any. They share [`scenes`] (what runs), [`fluid`] (a
+//! scene on a backend), [`census`] (what can be said of it), [`extremes`] (what no scene should be) and the drawing in
+//! [`paint`], [`frames`] and [`plot`].
 
 pub mod arguments;
 pub mod bench;
@@ -26,6 +27,7 @@ pub mod run;
 pub mod scenes;
 pub mod showcase;
 pub mod span;
+pub mod stability;
 pub mod timing;
 pub mod warnings;
 

@@ -24,7 +24,19 @@ pub fn deliver(common: &Common, name: &str, result: &impl Serialize, words: &str
 /// # Errors
 /// A number that JSON cannot hold, a stdout that cannot be written.
 pub fn print_json(result: &impl Serialize) -> Result<(), Failure> {
-    say(&serde_json::to_string_pretty(result).map_err(|e| Failure::System(e.to_string()))?)
+    say(&json(result)?)
+}
+
+/// Writes a result as a JSON document beside the words.
+///
+/// # Errors
+/// A number that JSON cannot hold, what the system says.
+pub fn write_json(path: &Path, result: &impl Serialize) -> Result<(), Failure> {
+    write_text(path, &(json(result)? + "\n"))
+}
+
+fn json(result: &impl Serialize) -> Result<String, Failure> {
+    serde_json::to_string_pretty(result).map_err(|e| Failure::System(e.to_string()))
 }
 
 /// Prints words. A reader who has seen enough, as `head` has, is no failure.

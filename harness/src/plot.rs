@@ -1,4 +1,4 @@
-//! Plots of error against run time, as SVG.
+//! Plots as SVG: error against run time, and series over time.
 use crate::failure::Failure;
 use plotters::prelude::*;
 use std::path::Path;
@@ -95,6 +95,70 @@ fn draw(
         .border_style(FRONT)
         .label_font(("sans-serif", 14))
         .position(SeriesLabelPosition::LowerLeft)
+        .margin(12)
+        .draw()?;
+    area.present()
+}
+
+/// A line in a plot.
+#[derive(Clone, Debug)]
+pub struct Line {
+    /// What it is of.
+    pub label: String,
+    /// Its points, x ascending.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// Draws lines in linear axes.
+///
+/// # Errors
+/// The file cannot be written.
+pub fn line_plot(path: &Path, title: &str, axes: [&str; 2], lines: &[Line]) -> Result<(), Failure> {
+    draw_lines(path, title, axes, lines).map_err(|e| Failure::System(format!("{}: {e}", path.display())))
+}
+
+fn draw_lines(
+    path: &Path,
+    title: &str,
+    [x_label, y_label]: [&str; 2],
+    lines: &[Line],
+) -> Result<(), DrawingAreaErrorKind<std::io::Error>> {
+    let range = |axis: usize| {
+        let values = || lines.iter().flat_map(|line| &line.points).map(|point| point[axis]).filter(|v| v.is_finite());
+        let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+        if low < high { low..high } else { 0.0..1.0 }
+    };
+    let (x, y) = (range(0), range(1));
+    let room = 0.06 * (y.end - y.start);
+    let area = SVGBackend::new(path, SIZE).into_drawing_area();
+    area.fill(&WHITE)?;
+    let mut chart = ChartBuilder::on(&area)
+        .caption(title, ("sans-serif", 24))
+        .margin(16)
+        .margin_right(32)
+        .x_label_area_size(48)
+        .y_label_area_size(72)
+        .build_cartesian_2d(x, y.start - room..y.end + room)?;
+    chart
+        .configure_mesh()
+        .x_desc(x_label)
+        .y_desc(y_label)
+        .x_label_formatter(&|x| ((x * 1e6).round() / 1e6).to_string())
+        .y_label_formatter(&|y| format!("{:.1} %", y * 100.0))
+        .label_style(("sans-serif", 14))
+        .light_line_style(WHITE)
+        .draw()?;
+    for (line, colour) in lines.iter().zip(SERIES.into_iter().cycle()) {
+        let points = line.points.iter().filter(|[x, y]| x.is_finite() && y.is_finite()).map(|[x, y]| (*x, *y));
+        let key = move |(x, y)| PathElement::new([(x, y), (x + 16, y)], colour.stroke_width(3));
+        chart.draw_series(LineSeries::new(points, colour.stroke_width(2)))?.label(&line.label).legend(key);
+    }
+    chart
+        .configure_series_labels()
+        .background_style(WHITE)
+        .border_style(FRONT)
+        .label_font(("sans-serif", 14))
+        .position(SeriesLabelPosition::UpperRight)
         .margin(12)
         .draw()?;
     area.present()

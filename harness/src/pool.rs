@@ -16,6 +16,11 @@ impl Pool {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         pool.map(Pool).map_err(|e| Failure::System(format!("no pool of {threads} threads: {e}")))
     }
+
+    /// What `work` makes of each item, side by side; in the order of the items, whoever is done first.
+    pub fn map<T: Sync, R: Send>(&self, items: &[T], work: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
+        self.0.install(|| items.par_iter().with_max_len(1).map(&work).collect())
+    }
 }
 
 impl Executor for Pool {

@@ -77,6 +77,7 @@ pub const BUILT_IN: &[(&str, &str)] = built_in!(
     "two-jets",
     "oil-and-water",
     "drop",
+    "tower",
 );
 
 /// Most memory that a scene is given: 4 GiB, 12 million particles. `compare` holds five of them.
@@ -159,12 +160,20 @@ fn refusal(text: &str, origin: &Path, changes: &Changes, error: SceneError) -> F
     Failure::Scene { origin: format!("{}{line}", origin.display()), error }
 }
 
-/// `file` with one field changed. A field is named by the end of its path, the shortest path winning.
+/// `file` with a change as `--set` takes it.
 fn set(file: &SceneFile, change: &str) -> Result<SceneFile, Failure> {
     let wrong = |what: String| Failure::Call(format!("--set {change}: {what}"));
     let (field, value) = change.split_once('=').ok_or_else(|| wrong("give FIELD=VALUE".into()))?;
+    with(file, field, value).map_err(wrong)
+}
+
+/// `file` with one field changed. A field is named by the end of its path, the shortest path winning.
+///
+/// # Errors
+/// In words: no such field, or a value that does not fit.
+pub(crate) fn with(file: &SceneFile, field: &str, value: &str) -> Result<SceneFile, String> {
     let value: Value = serde_json::from_str(value).unwrap_or_else(|_| Value::String(value.to_owned()));
-    let mut tree = serde_json::to_value(file).map_err(|e| wrong(e.to_string()))?;
+    let mut tree = serde_json::to_value(file).map_err(|e| e.to_string())?;
     let mut paths = Vec::new();
     collect_paths(&tree, "", &mut paths);
     let ending = format!("/{}", field.replace('.', "/"));
@@ -172,15 +181,15 @@ fn set(file: &SceneFile, change: &str) -> Result<SceneFile, Failure> {
     let shortest = matches.iter().map(|path| path.matches('/').count()).min();
     let mut best = matches.iter().filter(|path| Some(path.matches('/').count()) == shortest);
     let (Some(path), None) = (best.next(), best.next()) else {
-        return Err(wrong(match matches.len() {
+        return Err(match matches.len() {
             0 => format!("no field {field}"),
             n => format!("{field} names {n} fields"),
-        }));
+        });
     };
     if let Some(place) = tree.pointer_mut(path) {
         *place = value;
     }
-    serde_json::from_value(tree).map_err(|e| wrong(e.to_string()))
+    serde_json::from_value(tree).map_err(|e| e.to_string())
 }
 
 /// JSON pointers of everything in a tree.

@@ -72,6 +72,15 @@ fn documents_have_the_keys_that_others_rely_on() {
     let front = error["pareto"].as_array().expect("a list");
     assert!(labels.len() >= 12 && !front.is_empty() && front.iter().all(|label| labels.contains(&label)), "{error}");
 
+    let small = ["stability", "dam-break-2d", "--particles", "100", "--time", "0.1", "--json"];
+    let stability = json(&[&small[..], &["--axis", "speed_of_sound=20,40"]].concat());
+    has(&stability, &["suite", "runs[].label", "runs[].choice.speed_of_sound", "runs[].outcome", "runs[].detail"]);
+    let steps: Vec<f64> = [0, 1].map(|i| stability["runs"][i]["time_step"].as_f64().expect("a step is stable")).into();
+    assert!(steps[0] > steps[1] && steps[1] > 0.0, "twice the sound takes shorter steps: {stability}");
+
+    let tower = json(&["stability", "tower", "--time", "0.02", "--json"]);
+    has(&tower, &["suite", "runs[].label", "runs[].choice", "runs[].outcome", "runs[].detail", "runs[].series"]);
+
     let scenes = json(&["scenes", "--json"]);
     let names: Vec<&str> = scenes.as_array().expect("a list").iter().filter_map(|s| s["name"].as_str()).collect();
     let known = [
@@ -88,6 +97,7 @@ fn documents_have_the_keys_that_others_rely_on() {
         "two-jets",
         "oil-and-water",
         "drop",
+        "tower",
     ];
     assert_eq!(names, known);
 }
@@ -104,7 +114,7 @@ fn one_field_can_be_set() {
 #[test]
 fn bad_calls_are_refused_with_status_2() {
     let folder = tempfile::tempdir().expect("a folder");
-    let calls: [(&[&str], &str); 12] = [
+    let calls: [(&[&str], &str); 17] = [
         (&["run", "no-such-scene"], "no scene \"no-such-scene\""),
         (&["run", "no-such-file.ron"], "no-such-file.ron"),
         (&["run", "dam-break", "--set", "no_such_field=1"], "no field no_such_field"),
@@ -117,6 +127,11 @@ fn bad_calls_are_refused_with_status_2() {
         (&["error", "no-such-case"], "no case"),
         (&["error", "still-tank", "--set", "time_step=0.001"], "what the study varies"),
         (&["error", "still-tank", "--particles", "100"], "no meaning"),
+        (&["stability", "dam-break", "--axis", "no_such_axis"], "NAME=VALUE"),
+        (&["stability", "dam-break", "--axis", "no_such_field=1"], "no field no_such_field"),
+        (&["stability", "dam-break", "--axis", "density_ratio"], "the scene has one fluid"),
+        (&["stability", "dam-break", "--time", "NaN"], "--time NaN"),
+        (&["stability", "tower", "--set", "time_step=0.001"], "what the suite varies"),
     ];
     for (call, message) in calls {
         let output = millpond(folder.path(), call);
@@ -178,6 +193,34 @@ fn a_step_that_fails_ends_with_status_1() {
     let err = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{err}");
     assert!(err.contains("step "), "{err}");
+}
+
+#[test]
+fn a_map_goes_on_where_it_was_cut_off() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let listed = ["--axis", "speed_of_sound=20,40", "--axis", "time_step=1e-3,1e-1", "--out", "map", "--json"];
+    let call = [&["stability", "dam-break-2d", "--particles", "100", "--time", "0.1"][..], &listed[..]].concat();
+    let first = millpond(folder.path(), &call);
+    assert_eq!(first.status.code(), Some(0), "{}", String::from_utf8_lossy(&first.stderr));
+    for name in ["stability.json", "stability.jsonl", "stability.md", "stability.svg"] {
+        assert!(folder.path().join("map").join(name).exists(), "{name}");
+    }
+    let path = folder.path().join("map/stability.jsonl");
+    let text = std::fs::read_to_string(&path).expect("it is there");
+    // a finished point is believed: were it run again, it would come out stable
+    let told = text.replacen("\"outcome\":\"stable\"", "\"outcome\":\"refused\"", 1);
+    assert_ne!(told, text, "some step is stable");
+    std::fs::write(&path, &told[..told.len() - 20]).expect("it can be cut");
+    let outcomes = |output: &Output| -> Vec<String> {
+        let document: Value = serde_json::from_slice(&output.stdout).expect("one document");
+        let runs = document["runs"].as_array().expect("a list").iter();
+        runs.map(|run| run["outcome"].as_str().unwrap_or_default().to_owned()).collect()
+    };
+    let second = outcomes(&millpond(folder.path(), &call));
+    assert_eq!(second.iter().filter(|outcome| *outcome == "refused").count(), 1, "{second:?}");
+    let fresh = outcomes(&millpond(folder.path(), &[&call[..], &["--fresh"]].concat()));
+    assert_eq!(fresh, outcomes(&first));
+    assert_eq!(fresh, ["stable", "unstable", "stable", "unstable"]);
 }
 
 #[test]

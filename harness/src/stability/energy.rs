@@ -1,0 +1,132 @@
+//! The energy of a fluid as a whole, with what is stored in its compression, and the sound that this makes.
+use super::classify::DENSITY_LIMIT;
+use millpond_core::guided::{particle_mass, speed_of_sound};
+use millpond_core::hash::tree_sum;
+use millpond_core::kinds::{near_stiffness, state_stiffness};
+use millpond_core::scene::{EquationOfState, Fluid, PressureForce, Scene};
+use millpond_core::{Particle, Solver};
+
+/// How a fluid's pressure follows from its density.
+fn equation(scene: &Scene, fluid: &Fluid) -> EquationOfState {
+    fluid.equation_of_state.unwrap_or(scene.model.equation_of_state)
+}
+
+/// Fastest sound of a scene, m/s; none where pressure is iterated, and no sound limits the step.
+pub(super) fn fastest_sound(scene: &Scene) -> Option<f64> {
+    let iterated = scene.model.equation_of_state == EquationOfState::PressureCorrection;
+    (!iterated).then(|| scene.fluids().map(|fluid| speed_of_sound(scene, fluid)).fold(0.0, f64::max))
+}
+
+/// Energy stored in a fluid at a deviation e of its density, the integral of `P / rho^2` over the density, J/kg.
+fn stored(scene: &Scene, fluid: &Fluid, deviation: f64) -> f64 {
+    let e = deviation;
+    let by_state = state_stiffness(scene, fluid) / f64::from(fluid.rest_density);
+    // where there is no suction there is no pressure below the rest density
+    let relaxed = e <= 0.0 && !scene.model.suction;
+    let whole = match equation(scene, fluid) {
+        EquationOfState::Tait if !relaxed => by_state * (((1.0 + e).powi(6) - 1.0) / 6.0 + 1.0 / (1.0 + e) - 1.0),
+        EquationOfState::Desbrun if !relaxed => by_state * (e.ln_1p() + 1.0 / (1.0 + e) - 1.0),
+        EquationOfState::IdealGas => by_state * e.ln_1p(),
+        // iterated pressure does not follow from density
+        _ => 0.0,
+    };
+    // Mueller's form is half of the gradient (S0 eq. 2.19), so it does half of the work
+    let half = matches!(scene.model.pressure_force, PressureForce::Mueller | PressureForce::MuellerAdapted);
+    if half { whole * 0.5 } else { whole }
+}
+
+/// Mechanical energy of the fluid, J (per metre of depth in 2D): of motion, in gravity, in springs, in its compression. Of
+/// surfaces and of near pressure it has no account.
+pub(super) fn total(scene: &Scene, solver: &Solver<'_>) -> f64 {
+    let energies = solver.energies();
+    let compressed = sum(scene, solver, |fluid, particle| {
+        stored(scene, fluid, f64::from(particle.density) / f64::from(fluid.rest_density) - 1.0)
+    });
+    energies.kinetic + energies.potential + energies.elastic + compressed
+}
+
+/// Energy that a scene at its start has to spend, J: its motion, the fall of its weight by its own height, and what near
+/// pressure may hold, which nobody counts. Where there is none of these, what would compress it as far as is allowed.
+pub(super) fn scale(scene: &Scene, solver: &Solver<'_>) -> f64 {
+    let gravity = scene.gravity.map(f64::from);
+    let heights = || {
+        let fluid = solver.particles().filter(|particle| !particle.wall && !particle.dormant);
+        fluid.map(|p| -> f64 { p.position.to_array().iter().zip(gravity).map(|(x, g)| -g * f64::from(*x)).sum() })
+    };
+    let (low, high) = (heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max));
+    let spent =
+        solver.energies().kinetic + sum(scene, solver, |fluid, _| (high - low).max(0.0) + near_stiffness(scene, fluid));
+    if spent > 0.0 { spent } else { sum(scene, solver, |fluid, _| stored(scene, fluid, DENSITY_LIMIT)) }
+}
+
+/// Sum over the fluid of its particles' masses times `energy`, J/kg.
+fn sum(scene: &Scene, solver: &Solver<'_>, energy: impl Fn(&Fluid, &Particle) -> f64) -> f64 {
+    let fluid: Vec<Particle> = solver.particles().filter(|particle| !particle.wall && !particle.dormant).collect();
+    let volume = particle_mass(scene) / f64::from(scene.fluid.rest_density);
+    let of = |i: usize| {
+        let own = scene.fluid_of(fluid[i].fluid);
+        volume * f64::from(own.rest_density) * energy(own, &fluid[i])
+    };
+    tree_sum(fluid.len(), &of)
+}
+
+/// What does work on a fluid from outside, so that its energy may well grow; none where nothing does.
+pub(super) fn driven_by(scene: &Scene) -> Option<&'static str> {
+    let along = |axis: usize| scene.gravity[axis] != 0.0 && scene.periodic.is_some_and(|periodic| periodic.axes[axis]);
+    if (0..3).any(along) {
+        return Some("gravity along a periodic axis");
+    }
+    if scene.wind.is_some() {
+        return Some("the wind");
+    }
+    scene.walls.iter().any(|wall| wall.velocity != [0.0; 3]).then_some("a wall that slides")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenes::{Changes, load};
+
+    fn scene(name: &str) -> Scene {
+        load(name, &Changes::default()).expect("it is built in").file.scene
+    }
+
+    #[test]
+    fn what_is_stored_is_the_work_of_the_pressure() {
+        let mut scene = scene("still-tank");
+        for equation in [EquationOfState::Tait, EquationOfState::Desbrun, EquationOfState::IdealGas] {
+            scene.model.equation_of_state = equation;
+            let pressure = |e: f64| {
+                let by_state = state_stiffness(&scene, &scene.fluid) / f64::from(scene.fluid.rest_density);
+                match equation {
+                    EquationOfState::Tait => by_state * ((1.0 + e).powi(7) - 1.0),
+                    EquationOfState::Desbrun => by_state * e,
+                    _ => by_state * (1.0 + e),
+                }
+            };
+            // d u / d e = P / (rho0 (1 + e)^2)
+            let (e, step) = (0.05, 1e-5);
+            let slope =
+                (stored(&scene, &scene.fluid, e + step) - stored(&scene, &scene.fluid, e - step)) / (2.0 * step);
+            let exact = pressure(e) / (1.0 + e).powi(2);
+            assert!((slope / exact - 1.0).abs() < 1e-6, "{equation:?}: {slope} against {exact}");
+        }
+    }
+
+    #[test]
+    fn sound_follows_from_the_stiffness_that_there_is() {
+        let mut scene = scene("still-tank");
+        assert!((fastest_sound(&scene).expect("it has sound") - 22.0).abs() < 1e-3);
+        // c^2 = 7 k / rho0
+        scene.fluid.stiffness = Some(7e5);
+        assert!((fastest_sound(&scene).expect("it has sound") - 70.0).abs() < 1e-3);
+        scene.model.equation_of_state = EquationOfState::PressureCorrection;
+        assert_eq!(fastest_sound(&scene), None);
+    }
+
+    #[test]
+    fn what_is_driven_is_known() {
+        assert!(driven_by(&scene("channel")).is_some());
+        assert_eq!(driven_by(&scene("dam-break")), None);
+    }
+}

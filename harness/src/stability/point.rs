@@ -1,0 +1,236 @@
+//! A point of the map: run once, or bisected.
+use super::axis::{Choice, TIME_STEP};
+use super::bisect;
+use super::classify::{Broken, Criterion, TooManySteps, Trial, Verdict, classify};
+use super::energy::fastest_sound;
+use super::map::seconds;
+use super::resume::{Ledger, key};
+use super::{Courant, Outcome, Run};
+use crate::failure::Failure;
+use millpond_core::guided::support_radius;
+use millpond_core::scene::Scene;
+
+/// Share of the support that sound crosses in the step that a bisection starts from (Monaghan 1992).
+const FIRST_COURANT: f32 = 0.4;
+
+/// Steps that a run has at least: fewer say nothing about stability.
+const FEWEST_STEPS: f64 = 20.0;
+
+/// The smallest step that a bisection looks at, over the first one: as small as a viscosity of 1000 Pa s asks for.
+const SMALLEST_SHARE: f32 = 1.0 / 1024.0;
+
+/// Halvings of a step that change nothing about a density error, after which it is the fluid that is too soft, and not the
+/// step that is too long; and how much of the time of its appearance is nothing.
+const HALVINGS_IN_VAIN: u32 = 3;
+const SAME_TIME: f64 = 0.05;
+
+/// A point before it is run.
+#[derive(Clone, Debug)]
+pub(super) struct Point {
+    pub(super) choice: Choice,
+    /// With the choice made.
+    pub(super) scene: Scene,
+}
+
+/// How far a run goes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limits {
+    /// Simulated time, s.
+    pub(super) seconds: f64,
+    pub(super) most_steps: u64,
+}
+
+/// Why a bisection ends without an edge.
+enum Vain {
+    /// The steps that are left are too many.
+    TooManySteps(TooManySteps),
+    /// Shorter steps change nothing.
+    TooSoft,
+}
+
+impl Limits {
+    /// Runs a point, or reads it back where it is finished.
+    ///
+    /// # Errors
+    /// What the system says of the file.
+    pub(super) fn run(self, point: &Point, ledger: &Ledger) -> Result<Run, Failure> {
+        let pairs: Vec<String> = point.choice.iter().map(|(name, value)| format!("{name}={value}")).collect();
+        let label = pairs.join(", ");
+        // another version may step and judge in another way
+        let key = key(&label, &(&point.scene, self.seconds, env!("CARGO_PKG_VERSION")))?;
+        if let Some(run) = ledger.find(&key) {
+            return Ok(run.clone());
+        }
+        let blank = Run {
+            label,
+            choice: point.choice.iter().cloned().collect(),
+            outcome: Outcome::Refused,
+            detail: String::new(),
+            criterion: None,
+            too_long: false,
+            time_step: None,
+            unstable_time_step: None,
+            courant: None,
+            particles: 0,
+            steps: 0,
+        };
+        let listed = point.choice.iter().any(|(name, _)| name == TIME_STEP);
+        let run = if listed { self.classified(&point.scene, blank) } else { self.bisected(&point.scene, blank) };
+        if !run.too_long {
+            ledger.add(&key, &run)?;
+        }
+        Ok(run)
+    }
+
+    /// One run, with the scene's own step.
+    fn classified(self, scene: &Scene, blank: Run) -> Run {
+        let Trial { verdict, steps } = classify(scene, self.seconds, self.most_steps, |_| ());
+        let run = Run { steps, ..blank };
+        let at_step = |run: Run| Run {
+            time_step: Some(scene.time_step),
+            courant: courant(scene),
+            particles: scene.particle_count(),
+            ..run
+        };
+        match verdict {
+            Verdict::Stable => {
+                at_step(Run { outcome: Outcome::Stable, detail: format!("stable for {steps} steps"), ..run })
+            }
+            Verdict::Unstable(broken) => {
+                let criterion = Some(broken.criterion);
+                at_step(Run { outcome: Outcome::Unstable, detail: broken.to_string(), criterion, ..run })
+            }
+            Verdict::Refused(why) => Run { detail: why, ..run },
+            Verdict::TooManySteps(too_many) => at_step(Run { detail: too_many.to_string(), too_long: true, ..run }),
+        }
+    }
+
+    /// As many runs as it takes to find the largest stable step.
+    fn bisected(self, scene: &Scene, blank: Run) -> Run {
+        let mut steps_made = 0;
+        // of the smallest step that would not do
+        let mut failed: Option<(f32, Verdict)> = None;
+        let mut softness = Softness::default();
+        let with_step = |time_step| Scene { time_step, ..scene.clone() };
+        let start = first_step(scene);
+        let most = (self.seconds / FEWEST_STEPS) as f32;
+        let range = [(start * SMALLEST_SHARE).min(most), most];
+        let found = bisect::edge(start, range, |time_step| {
+            let Trial { verdict, steps } = classify(&with_step(time_step), self.seconds, self.most_steps, |_| ());
+            steps_made += steps;
+            match verdict {
+                Verdict::Stable => return Ok(true),
+                Verdict::TooManySteps(too_many) => return Err(Vain::TooManySteps(too_many)),
+                other => failed = Some((time_step, other)),
+            }
+            let in_vain = softness.is_shown_by(failed.as_ref().map(|(_, verdict)| verdict));
+            if in_vain { Err(Vain::TooSoft) } else { Ok(false) }
+        });
+        let run = Run { steps: steps_made, ..blank };
+        let (criterion, above) = match &failed {
+            Some((step, Verdict::Unstable(broken))) => {
+                (Some(broken.criterion), format!("at {}, {broken}", seconds(*step)))
+            }
+            Some((step, Verdict::Refused(why))) => (None, format!("at {}, {why}", seconds(*step))),
+            _ => (None, "no longer one was tried".into()),
+        };
+        let none_is = |run: Run, unstable_time_step| Run {
+            outcome: Outcome::Unstable,
+            criterion,
+            unstable_time_step,
+            particles: scene.particle_count(),
+            ..run
+        };
+        match (found, &failed) {
+            (Err(Vain::TooManySteps(too_many)), None) => Run { detail: too_many.to_string(), too_long: true, ..run },
+            // nothing longer was stable, or there would have been no need for steps as short
+            (Err(Vain::TooManySteps(too_many)), Some(_)) => {
+                Run { detail: format!("{too_many}; {above}"), too_long: true, criterion, ..run }
+            }
+            (Err(Vain::TooSoft), _) => {
+                let detail = format!("no step is stable, as shorter ones change nothing: {above}");
+                none_is(Run { detail, ..run }, failed.as_ref().map(|(step, _)| *step))
+            }
+            (Ok(edge), _) if edge.stable.is_some() => Run {
+                outcome: Outcome::Stable,
+                detail: format!("stable up to {}; {above}", edge.stable.map_or_else(String::new, seconds)),
+                criterion,
+                time_step: edge.stable,
+                unstable_time_step: edge.unstable,
+                courant: edge.stable.and_then(|step| courant(&with_step(step))),
+                particles: scene.particle_count(),
+                ..run
+            },
+            (Ok(_), Some((_, Verdict::Refused(why)))) => Run { detail: why.clone(), ..run },
+            (Ok(edge), _) => none_is(Run { detail: format!("no step is stable: {above}"), ..run }, edge.unstable),
+        }
+    }
+}
+
+/// Tells a fluid that is too soft, and is compressed too far in any step, from a step that is too long.
+#[derive(Debug, Default)]
+struct Softness {
+    /// When the density error appeared last, s.
+    time: Option<f64>,
+    /// Halvings that changed nothing about it.
+    in_vain: u32,
+}
+
+impl Softness {
+    /// Also counting this verdict, on a step half as long as the last one's?
+    fn is_shown_by(&mut self, verdict: Option<&Verdict>) -> bool {
+        let time = match verdict {
+            Some(Verdict::Unstable(Broken { criterion: Criterion::DensityError, time, .. })) => Some(*time),
+            _ => None,
+        };
+        let same = time.zip(self.time).is_some_and(|(now, last)| (now - last).abs() <= SAME_TIME * last);
+        self.in_vain = if same { self.in_vain + 1 } else { 0 };
+        self.time = time;
+        self.in_vain >= HALVINGS_IN_VAIN
+    }
+}
+
+/// Where a bisection starts, s: at the acoustic limit, or at the scene's own step where there is no sound to limit it.
+fn first_step(scene: &Scene) -> f32 {
+    let acoustic = fastest_sound(scene).map(|sound| FIRST_COURANT * (support_radius(scene) / sound) as f32);
+    acoustic.filter(|step| step.is_normal() && *step > 0.0).unwrap_or(scene.time_step)
+}
+
+/// Of the scene's own step.
+fn courant(scene: &Scene) -> Option<Courant> {
+    let travelled = fastest_sound(scene)? * f64::from(scene.time_step);
+    let spacing = (travelled / f64::from(scene.particle_spacing)) as f32;
+    Some(Courant { support: (travelled / support_radius(scene)) as f32, spacing })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn broken(criterion: Criterion, time: f64) -> Verdict {
+        Verdict::Unstable(Broken { criterion, time, words: String::new() })
+    }
+
+    #[test]
+    fn a_density_error_that_stays_is_the_fluids() {
+        let shown = |times: &[f64], criterion| {
+            let mut softness = Softness::default();
+            times.iter().any(|time| softness.is_shown_by(Some(&broken(criterion, *time))))
+        };
+        assert!(shown(&[0.5, 0.2, 0.2, 0.201, 0.2], Criterion::DensityError));
+        assert!(!shown(&[0.2, 0.2, 0.2], Criterion::DensityError), "too few");
+        assert!(!shown(&[0.4, 0.2, 0.1, 0.05, 0.025], Criterion::DensityError), "so many steps, not so long a time");
+        assert!(!shown(&[0.2; 9], Criterion::EnergyGrowth));
+    }
+
+    #[test]
+    fn a_point_is_refused_where_its_scene_is() {
+        let limits = Limits { seconds: 0.01, most_steps: 1000 };
+        let mut scene =
+            crate::scenes::load("still-tank", &crate::scenes::Changes::default()).expect("built in").file.scene;
+        scene.fluid.rest_density = -1.0;
+        let run = limits.run(&Point { choice: Choice::new(), scene }, &Ledger::default()).expect("it has no file");
+        assert_eq!((run.outcome, run.too_long), (Outcome::Refused, false));
+        assert!(run.detail.contains("rest_density is -1"), "{}", run.detail);
+    }
+}
