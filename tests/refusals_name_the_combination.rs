@@ -55,50 +55,6 @@ fn by_name() {
         s.model.hydrostatic_start = true;
         s.gravity = [0.0; 3];
     });
-    let changing = |integrator: Integrator| {
-        move |s: &mut Scene| (s.adaptive, s.model.integrator) = (Some(Adaptive::default()), integrator)
-    };
-    for &integrator in Integrator::ALL {
-        if integrator.allows_changing_steps() {
-            assert_eq!(scene(changing(integrator)), Ok(()));
-        } else {
-            refused("adaptive", "integrator", changing(integrator));
-        }
-        let again = |s: &mut Scene| (s.model.integrator, s.model.reevaluate) = (integrator, true);
-        use Integrator::*;
-        if matches!(integrator, Euler | SemiImplicitEuler | Clavet | PositionCorrectedBeeman) {
-            refused("reevaluate", "integrator", again);
-        } else {
-            assert_eq!(scene(again), Ok(()));
-        }
-        let corrected = |s: &mut Scene| {
-            (s.model.integrator, s.model.pressure_force) = (integrator, PressureForce::Monaghan);
-            s.model.equation_of_state = EquationOfState::PressureCorrection;
-        };
-        if matches!(integrator, ModifiedVelocityVerlet | SemiImplicitEuler) {
-            assert_eq!(scene(corrected), Ok(()));
-        } else {
-            refused("PressureCorrection", "integrator", corrected);
-        }
-    }
-    refused("reevaluate", "PressureCorrection", |s| {
-        (s.model.reevaluate, s.model.pressure_force) = (true, PressureForce::Monaghan);
-        s.model.equation_of_state = EquationOfState::PressureCorrection;
-    });
-    refused("adaptive", "no criterion", |s| {
-        let idle = Adaptive { speed: None, acceleration: None, sound: None, viscosity: None, ..Adaptive::default() };
-        s.adaptive = Some(idle);
-    });
-    refused("stiffness_for_time_step", "adaptive", |s| {
-        (s.stiffness_for_time_step, s.adaptive) = (Some(0.2), Some(Adaptive::default()));
-    });
-    refused("stiffness_for_time_step", "fluid.stiffness", |s| {
-        (s.stiffness_for_time_step, s.fluid.stiffness) = (Some(0.2), Some(1000.0));
-    });
-    refused("stiffness_for_time_step", "PressureCorrection", |s| {
-        (s.stiffness_for_time_step, s.model.pressure_force) = (Some(0.2), PressureForce::Monaghan);
-        s.model.equation_of_state = EquationOfState::PressureCorrection;
-    });
     let air = |s: &mut Scene| {
         let _ = s.other_fluids.push(Fluid::default());
         s.air = Some(Air { fluid: 1, capacity: 10, threshold: 0.5, minimum_density: 0.5 });
@@ -108,18 +64,6 @@ fn by_name() {
         air(s);
         s.air = s.air.map(|air| Air { fluid: 0, ..air });
     });
-    for &integrator in Integrator::ALL {
-        let with_air = |s: &mut Scene| {
-            air(s);
-            s.model.integrator = integrator;
-        };
-        use Integrator::*;
-        if matches!(integrator, Verlet | Beeman | VelocityCorrectedBeeman | PositionCorrectedBeeman) {
-            refused("air", "integrator", with_air);
-        } else {
-            assert_eq!(scene(with_air), Ok(()));
-        }
-    }
     refused("air", "CellLists", |s| {
         air(s);
         s.grid.structure = GridStructure::CellLists { places: 8 };
@@ -161,6 +105,66 @@ fn by_name() {
         s.fluid.near_stiffness = Some(1.0);
         s.model.near_pressure = NearPressure::Off;
     });
+}
+
+#[test]
+fn integrators_by_name() {
+    use Integrator::*;
+    let changing = |integrator: Integrator| {
+        move |s: &mut Scene| (s.adaptive, s.model.integrator) = (Some(Adaptive::default()), integrator)
+    };
+    for &integrator in Integrator::ALL {
+        if integrator.allows_changing_steps() {
+            assert_eq!(scene(changing(integrator)), Ok(()));
+        } else {
+            refused("adaptive", "integrator", changing(integrator));
+        }
+        let again = |s: &mut Scene| (s.model.integrator, s.model.reevaluate) = (integrator, true);
+        if matches!(integrator, Euler | SemiImplicitEuler | Clavet | PositionCorrectedBeeman) {
+            refused("reevaluate", "integrator", again);
+        } else {
+            assert_eq!(scene(again), Ok(()));
+        }
+        let corrected = |s: &mut Scene| {
+            (s.model.integrator, s.model.pressure_force) = (integrator, PressureForce::Monaghan);
+            s.model.equation_of_state = EquationOfState::PressureCorrection;
+        };
+        if matches!(integrator, ModifiedVelocityVerlet | SemiImplicitEuler) {
+            assert_eq!(scene(corrected), Ok(()));
+        } else {
+            refused("PressureCorrection", "integrator", corrected);
+        }
+    }
+    refused("reevaluate", "PressureCorrection", |s| {
+        (s.model.reevaluate, s.model.pressure_force) = (true, PressureForce::Monaghan);
+        s.model.equation_of_state = EquationOfState::PressureCorrection;
+    });
+    refused("adaptive", "no criterion", |s| {
+        let idle = Adaptive { speed: None, acceleration: None, sound: None, viscosity: None, ..Adaptive::default() };
+        s.adaptive = Some(idle);
+    });
+    refused("stiffness_for_time_step", "adaptive", |s| {
+        (s.stiffness_for_time_step, s.adaptive) = (Some(0.2), Some(Adaptive::default()));
+    });
+    refused("stiffness_for_time_step", "fluid.stiffness", |s| {
+        (s.stiffness_for_time_step, s.fluid.stiffness) = (Some(0.2), Some(1000.0));
+    });
+    refused("stiffness_for_time_step", "PressureCorrection", |s| {
+        (s.stiffness_for_time_step, s.model.pressure_force) = (Some(0.2), PressureForce::Monaghan);
+        s.model.equation_of_state = EquationOfState::PressureCorrection;
+    });
+    for &integrator in Integrator::ALL {
+        let with_air = |s: &mut Scene| {
+            let _ = s.other_fluids.push(Fluid::default());
+            s.air = Some(Air { fluid: 1, capacity: 10, threshold: 0.5, minimum_density: 0.5 });
+            s.model.integrator = integrator;
+        };
+        if matches!(integrator, Verlet | Beeman | VelocityCorrectedBeeman | PositionCorrectedBeeman) {
+            refused("air", "integrator", with_air);
+        } else {
+            assert_eq!(scene(with_air), Ok(()));
+        }
+    }
 }
 
 #[test]

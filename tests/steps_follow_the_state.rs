@@ -216,12 +216,12 @@ fn a_thrown_particle_keeps_to_its_parabola() {
 
 #[test]
 fn only_what_remembers_has_memory_for_it() {
+    use Integrator::*;
     for &integrator in Integrator::ALL {
         let mut scene = falling();
         scene.adaptive = None;
         scene.model.integrator = integrator;
         let needs = Needs::of(&scene);
-        use Integrator::*;
         let history = matches!(integrator, Verlet | Beeman | VelocityCorrectedBeeman | PositionCorrectedBeeman);
         assert_eq!(needs.history, history, "{integrator:?}");
         assert_eq!(needs.earlier, history || matches!(integrator, VelocityVerlet | Leapfrog), "{integrator:?}");

@@ -186,8 +186,10 @@ choice! {
 choice! {
     /// How particles are moved from step to step (S0 section 2.3.1 with the errata). Stable up to a product of the largest
     /// frequency and the time step which is given without damping, and critically damped.
+    #[derive(Default)]
     pub enum Integrator {
         /// Half kick, drift, half kick (eq. 2.33): stable to 2, and 0.828.
+        #[default]
         ModifiedVelocityVerlet = integrate::MODIFIED_VELOCITY_VERLET => &["modified_verlet_kick"],
         /// Forward Euler (eq. 2.29): never stable, and to 2.
         Euler = integrate::EULER => &["euler_position", "euler_velocity"],

@@ -1,12 +1,6 @@
 //! How time is stepped: what an integrator is good for, and how a time step follows from the state.
 use super::Integrator;
 
-impl Default for Integrator {
-    fn default() -> Self {
-        Integrator::ModifiedVelocityVerlet
-    }
-}
-
 impl Integrator {
     /// Order of its global error where forces do not depend on velocity.
     #[must_use]
