@@ -139,6 +139,14 @@ fn integrators_by_name() {
         (s.model.reevaluate, s.model.pressure_force) = (true, PressureForce::Monaghan);
         s.model.equation_of_state = EquationOfState::PressureCorrection;
     });
+    let exchanges: [fn(&mut Scene); 2] =
+        [|s| s.model.viscosity = Viscosity::Exchange, |s| s.fluid.radial_exchange = 0.1];
+    for exchange in exchanges {
+        refused("adaptive", "exchanges", |s| {
+            s.adaptive = Some(Adaptive::default());
+            exchange(s);
+        });
+    }
     refused("adaptive", "no criterion", |s| {
         let idle = Adaptive { speed: None, acceleration: None, sound: None, viscosity: None, ..Adaptive::default() };
         s.adaptive = Some(idle);

@@ -4,7 +4,7 @@
 use approx::assert_relative_eq;
 use millpond::fluid::Snapshot;
 use millpond::memory::Heap;
-use millpond_core::guided::{speed_of_sound, support_radius};
+use millpond_core::guided::{kinematic_viscosity, speed_of_sound, support_radius};
 use millpond_core::scene::{
     Adaptive, Block, Container, Dimension, Fluid, Grid, GridStructure, Integrator, ModelChoice, Place, Scene,
 };
@@ -153,20 +153,42 @@ fn a_device_keeps_the_same_clock() {
 
 #[test]
 fn a_refused_step_leaves_the_clock_alone() {
-    let mut scene = falling();
-    // as many places as the fullest cell has at the start
-    scene.grid.structure = GridStructure::CellLists { places: 12 };
-    let mut heap = Heap::of(&scene);
-    let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
-    let refused = loop {
-        let before = (solver.hash(), solver.time_report());
-        if let Err(error) = solver.step(&Serial) {
-            assert_eq!((solver.hash(), solver.time_report()), before);
-            break error;
+    let gpu = device("steps_follow_the_state, refused", Mode::Strict);
+    let mut undone = 0;
+    // as many places as the fullest cell has at the start, and more: some steps are undone before they are refused
+    for places in 12..18 {
+        let mut scene = impact();
+        scene.grid.structure = GridStructure::CellLists { places };
+        let mut heap = Heap::of(&scene);
+        let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
+        let fluid = gpu.as_ref().map(|gpu| GpuSolver::new(gpu, &solver).expect("a device that takes it"));
+        let state = |solver: &Solver<'_>| Snapshot::of_cpu(solver);
+        let (before, refused) = loop {
+            let before = state(&solver);
+            if let Err(error) = solver.step(&Serial) {
+                break (before, error);
+            }
+            assert!(solver.steps() < 1000, "no cell was ever full");
+        };
+        assert!(matches!(refused, StepError::CellFull { capacity, .. } if capacity == places), "{refused}");
+        assert!(state(&solver) == before);
+        undone += before.clock.redone;
+        if let Some(mut fluid) = fluid {
+            assert!(matches!(fluid.step(1000), Err(millpond_gpu::GpuError::Step(error)) if error == refused));
+            assert!(Snapshot::of_gpu(&fluid).expect("a state") == before, "{places} places");
         }
-        assert!(solver.steps() < 1000, "no cell was ever full");
-    };
-    assert!(matches!(refused, StepError::CellFull { capacity: 12, .. }), "{refused}");
+    }
+    assert!(undone > 0, "steps that are made again");
+}
+
+#[test]
+fn the_lighter_of_two_fluids_is_moved_the_more() {
+    let mut scene = falling();
+    scene.fluid.dynamic_viscosity = 100.0;
+    assert_relative_eq!(kinematic_viscosity(&scene), 0.1);
+    let _ = scene.other_fluids.push(Fluid { rest_density: 1.0, dynamic_viscosity: 0.0, ..Fluid::default() });
+    // at the interface the mean of 100 and 0 Pa s acts on 1 kg/m3
+    assert_relative_eq!(kinematic_viscosity(&scene), 50.0);
 }
 
 #[test]

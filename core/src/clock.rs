@@ -40,7 +40,7 @@ impl Clock {
         }
         let wanted = wanted(p, seen);
         let limits = Parameters { time_step_growth: 1.0, ..*p };
-        set(p, step_limited::<f32>(&limits, wanted, p.time_step));
+        set_step(p, step_limited::<f32>(&limits, wanted, p.time_step));
         Clock { last: p.time_step, wanted, ..Clock::default() }
     }
 
@@ -53,7 +53,7 @@ impl Clock {
             let again = p.redo_above > 0.0 && wanted * p.redo_above < step && p.smallest_time_step < step;
             self.redone = self.redone.wrapping_add(u32::from(again));
             self.held = self.held.wrapping_add(u32::from(!again && wanted < p.smallest_time_step));
-            set(p, step_limited::<f32>(p, wanted, step));
+            set_step(p, step_limited::<f32>(p, wanted, step));
             if again {
                 return false;
             }
@@ -81,6 +81,7 @@ impl Clock {
         (status.last_time_step, status.last_wanted) = (self.last, self.wanted);
         (status.redone, status.held) = (self.redone, self.held);
         (status.time_step, status.half_time_step) = (p.time_step, p.half_time_step);
+        status.first_time_step = p.time_step;
         status.inverse_time_step = p.inverse_time_step;
     }
 }
@@ -104,6 +105,7 @@ fn wanted(p: &Parameters, seen: Seen) -> f32 {
     step_wanted::<f32>(p, seen.fastest, seen.hardest, seen.loudest)
 }
 
-fn set(p: &mut Parameters, step: f32) {
+/// Writes a time step where formulas look for it.
+pub(crate) fn set_step(p: &mut Parameters, step: f32) {
     (p.time_step, p.half_time_step, p.inverse_time_step) = (step, step_half::<f32>(step), step_inverse::<f32>(step));
 }

@@ -4,7 +4,8 @@ use crate::kinds::{corrections, species, state_stiffness, states};
 use crate::lattice_sums::kernel_sum;
 use crate::layout::{PLANES, Parameters, Planes, f32x4};
 use crate::scene::{
-    Adaptive, Dimension, EquationOfState, Face, Fluid, NearPressure, PressureForce, Scene, SupportRange, Viscosity,
+    Adaptive, Block, Dimension, EquationOfState, Face, Fluid, NearPressure, PressureForce, Scene, SupportRange,
+    Viscosity,
 };
 use core::f64::consts::PI;
 
@@ -52,11 +53,11 @@ pub fn speed_of_sound(scene: &Scene, fluid: &Fluid) -> f64 {
     own / fastest * f64::from(courant) * support_radius(scene) / f64::from(scene.time_step)
 }
 
-/// Largest kinematic viscosity of a scene, m2/s. Of the artificial viscosity that of Monaghan 1992, `alpha h c / (2 (d + 2))`
-/// with the support for h; exchanges, which take no time step, have none.
+/// Largest kinematic viscosity of a scene, m2/s: of a pair the mean viscosity, or that of the wall, over the smaller rest density,
+/// since the lighter of two is moved the more. Of the artificial viscosity that of Monaghan 1992, `alpha h c / (2 (d + 2))` with the
+/// support for h; exchanges, which take no time step, have none.
 #[must_use]
 pub fn kinematic_viscosity(scene: &Scene) -> f64 {
-    let of = |viscosity: f32, fluid: u32| f64::from(viscosity) / f64::from(scene.fluid_of(fluid).rest_density);
     let largest = |all: &mut dyn Iterator<Item = f64>| all.fold(0.0, f64::max);
     match scene.model.viscosity {
         Viscosity::Exchange => 0.0,
@@ -66,10 +67,15 @@ pub fn kinematic_viscosity(scene: &Scene) -> f64 {
             f64::from(scene.fluid.alpha) * support_radius(scene) * sound / directions
         }
         _ => {
-            let fluids = (0..).zip(scene.fluids()).map(|(number, fluid)| of(fluid.dynamic_viscosity, number));
-            let blocks = scene.blocks.iter().filter_map(|b| b.dynamic_viscosity.map(|mu| of(mu, b.fluid)));
-            let walls = scene.walls.iter().filter_map(|w| w.dynamic_viscosity.map(|mu| of(mu, w.fluid)));
-            largest(&mut fluids.chain(blocks).chain(walls))
+            let of = |viscosity: f32, fluid: &Fluid| [viscosity, fluid.rest_density].map(f64::from);
+            let own = |block: &Block| Some(of(block.dynamic_viscosity?, scene.fluid_of(block.fluid)));
+            let fluids = || scene.fluids().map(|fluid| of(fluid.dynamic_viscosity, fluid));
+            let all = || fluids().chain(scene.blocks.iter().filter_map(own));
+            let pairs = all()
+                .flat_map(|[mu_a, rho_a]| all().map(move |[mu_b, rho_b]| 0.5 * (mu_a + mu_b) / f64::min(rho_a, rho_b)));
+            let lightest = scene.fluids().map(|fluid| f64::from(fluid.rest_density)).fold(f64::INFINITY, f64::min);
+            let walls = scene.walls.iter().filter_map(|wall| wall.dynamic_viscosity);
+            largest(&mut pairs.chain(walls.map(|viscosity| f64::from(viscosity) / lightest)))
         }
     }
 }
@@ -87,8 +93,8 @@ pub(crate) fn periodic_cells(scene: &Scene, length: f64) -> u32 {
     cells.min(f64::from(u32::MAX)) as u32
 }
 
-/// Mass of a particle of the first fluid, kg, those of the others being as their rest densities: of the volume that it stands for at the start, `rho0 spacing^d`; calibrated, what makes the
-/// density sum over the lattice the rest density.
+/// Mass of a particle of the first fluid, kg, those of the others being as their rest densities: of the volume that it stands for
+/// at the start, `rho0 spacing^d`; calibrated, what makes the density sum over the lattice the rest density.
 #[must_use]
 pub fn particle_mass(scene: &Scene) -> f64 {
     let lattice =
@@ -109,7 +115,7 @@ pub fn hydrostatic_deviation(scene: &Scene, fluid: u32, position: [f32; 3]) -> (
     let g = scene.gravity.map(f64::from);
     // g . x grows downwards
     let along = |x: [f64; 3]| -> f64 { g.iter().zip(x).map(|(g, x)| g * x).sum() };
-    let corner = |b: &crate::scene::Block, highest: bool| {
+    let corner = |b: &Block, highest: bool| {
         let far = |i: usize| (g[i] < 0.0) == highest;
         along([0, 1, 2].map(|i| f64::from(if far(i) { b.corner[i] + b.size[i] } else { b.corner[i] })))
     };
@@ -260,16 +266,17 @@ impl Reaches {
 
     fn of(scene: &Scene, adaptive: &Adaptive) -> Reaches {
         let support = support_radius(scene);
-        let reach = |share: Option<f64>| share.map_or(Reaches::NO_LIMIT, |share| share * support) as f32;
+        let reach = |courant: Option<f32>| courant.map_or(Reaches::NO_LIMIT, |courant| f64::from(courant) * support);
         // sound that is iterated for limits nothing
         let iterated = scene.model.equation_of_state == EquationOfState::PressureCorrection;
         let viscosity = kinematic_viscosity(scene);
         let by_viscosity = adaptive.viscosity.filter(|_| viscosity > 0.0);
         let step = by_viscosity.map_or(Reaches::NO_LIMIT, |courant| f64::from(courant) * support * support / viscosity);
         Reaches {
-            speed: reach(adaptive.speed.map(f64::from)),
-            acceleration: reach(adaptive.acceleration.map(|courant| power(f64::from(courant), 2))),
-            sound: reach(adaptive.sound.filter(|_| !iterated).map(f64::from)),
+            speed: reach(adaptive.speed) as f32,
+            // C sqrt(H / a) is the root of C^2 H / a
+            acceleration: reach(adaptive.acceleration.map(|courant| courant * courant)) as f32,
+            sound: reach(adaptive.sound.filter(|_| !iterated)) as f32,
             viscosity: step.min(Reaches::NO_LIMIT) as f32,
         }
     }

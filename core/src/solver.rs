@@ -1,7 +1,7 @@
 //! The public face: a scene in lent memory, stepped.
 use crate::arithmetic::level::Simd;
 use crate::arithmetic::real::vec3;
-use crate::clock::{Clock, TimeReport};
+use crate::clock::{Clock, TimeReport, set_step};
 use crate::error::{Quantity, SceneError, StepError};
 use crate::executor::{Executor, Serial};
 use crate::guided::{first_air, parameters};
@@ -115,37 +115,44 @@ impl<'m> Solver<'m> {
         fill_tables(&scene.model, scene.dimension.count(), solver.memory.tables);
         solver.memory.field.fill([0.0; 4]);
         solver.fill(scene, places)?;
-        solver.begin(&parameters)?;
+        solver.evaluate()?;
         // no spring pulls at the start, so that it does not matter that they are made last
         join(&mut solver, scene)?;
+        solver.remember();
         Ok(solver)
     }
 
-    /// Evaluates the first accelerations, sorts the particles, and finds the first time step and the integrator's history.
-    fn begin(&mut self, parameters: &Parameters) -> Result<(), StepError> {
+    /// Evaluates the first accelerations, sorts the particles, and finds the first time step.
+    fn evaluate(&mut self) -> Result<(), StepError> {
+        let mut parameters = self.parameters;
+        set_step(&mut parameters, self.first_step);
         let at_rest = self.plan.model.at_rest();
         // with time standing still a step does nothing else
         let (_, seen) = self.attempt(&Serial, &at_rest, &parameters.at_rest(), &mut |_| ())?;
         self.take();
-        self.parameters = *parameters;
-        self.clock = Clock::start(&self.plan.model, &mut self.parameters, seen);
-        self.remember()
+        self.clock = Clock::start(&self.plan.model, &mut parameters, seen);
+        self.parameters = parameters;
+        Ok(())
     }
 
     /// What the integrator would remember of the steps before the first one.
     ///
     /// Verlet's displacement follows from velocity and acceleration. Beeman's takes the acceleration where the particles were a
     /// step before, which an attempt at a step back in time finds, off by dt^2 (dt where forces depend on velocity): so no order is
-    /// lost, of which Beeman's own start, `a_{-1} = a_0`, loses one where velocities are not 0.
-    fn remember(&mut self) -> Result<(), StepError> {
+    /// lost. Where nothing can have been before, that attempt being refused, it takes `a_{-1} = a_0`, Beeman's own start, which loses
+    /// one where velocities are not 0.
+    fn remember(&mut self) {
         let (m, p) = (self.plan.model, self.parameters);
         if is_beeman(&m) {
             let back = Model { integrator: MODIFIED_VELOCITY_VERLET, ..m.at_rest() };
-            self.attempt(&Serial, &back, &p.backwards(), &mut |_| ())?;
+            let found = self.attempt(&Serial, &back, &p.backwards(), &mut |_| ()).is_ok();
             let [a, b] = &mut self.memory.states;
             let (now, before) = if self.current == 0 { (a, b) } else { (b, a) };
-            for (slot, &id) in before.id.iter().enumerate() {
-                now.history[self.memory.slot[id as usize] as usize] = before.acceleration[slot];
+            now.history.copy_from_slice(now.acceleration);
+            if found {
+                for (slot, &id) in before.id.iter().enumerate() {
+                    now.history[self.memory.slot[id as usize] as usize] = before.acceleration[slot];
+                }
             }
         } else if has_history(&m) {
             let now = &mut self.memory.states[self.current];
@@ -155,7 +162,6 @@ impl<'m> Solver<'m> {
                 *history = [x, y, z, 0.0];
             }
         }
-        Ok(())
     }
 
     /// Writes the particles into the current state.
@@ -266,7 +272,8 @@ impl<'m> Solver<'m> {
     /// the first step, it also acts in that step's first half.
     ///
     /// # Errors
-    /// Fewer or more nodes than the scene says, or a value that is not finite; the field then stays as it was.
+    /// Fewer or more nodes than the scene says, or a value that is not finite; the field then stays as it was. Before the first
+    /// step also one that makes accelerations that are no numbers; the field then is 0, and the fluid as it was.
     pub fn set_field(&mut self, nodes: &[f32x4]) -> Result<(), SceneError> {
         let (needed, capacity) = (nodes.len(), self.memory.field.len());
         if needed != capacity {
@@ -278,8 +285,11 @@ impl<'m> Solver<'m> {
         self.memory.field.copy_from_slice(nodes);
         if self.steps == 0 && needed > 0 {
             // the first step begins with the accelerations at the start
-            let parameters = Parameters { time_step: self.first_step, ..self.parameters };
-            self.begin(&parameters)?;
+            if let Err(error) = self.evaluate() {
+                self.memory.field.fill([0.0; 4]);
+                return Err(error.into());
+            }
+            self.remember();
         }
         Ok(())
     }
@@ -313,7 +323,8 @@ impl<'m> Solver<'m> {
         }
     }
 
-    /// The fluid as it lies in memory, sorted by the cells that its particles had before walls moved them.
+    /// The fluid as it lies in memory, sorted by the cells that its particles had where forces were evaluated: walls, and some
+    /// integrators, moved them once more.
     #[must_use]
     pub fn state(&self) -> &State<'m> {
         &self.memory.states[self.current]

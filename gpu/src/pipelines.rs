@@ -36,7 +36,8 @@ fn gathered(plan: &Plan) -> Vec<Role> {
     all.into_iter().filter(|(needed, _)| *needed).map(|(_, moved)| Role::Gather(moved)).collect()
 }
 
-/// Passes that make a force, which those that are evaluated again go through once more.
+/// Passes that make a force, which those that are evaluated again go through once more. What springs give way by is written
+/// again then, and is the same: it follows from places alone.
 fn is_force(pass: Pass) -> bool {
     matches!(pass, Pass::Force | Pass::Tension | Pass::Springs)
 }

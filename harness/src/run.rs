@@ -109,23 +109,6 @@ impl From<millpond_core::report::Courant> for Courant {
     }
 }
 
-/// Smallest and largest step so far, s.
-#[derive(Clone, Copy, Debug)]
-struct StepLengths {
-    smallest: f32,
-    largest: f32,
-}
-
-impl StepLengths {
-    fn of(step: f32) -> StepLengths {
-        StepLengths { smallest: step, largest: step }
-    }
-
-    fn add(&mut self, step: f32) {
-        (self.smallest, self.largest) = (self.smallest.min(step), self.largest.max(step));
-    }
-}
-
 /// Energies of the fluid.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Energy {
@@ -207,7 +190,7 @@ pub fn run(
     let mut times = Vec::new();
     let mut done = 0;
     let mut clock = fluid.time_report()?;
-    let mut steps_taken = StepLengths::of(clock.next);
+    let mut lengths = Vec::new();
     film.shoot(0.0, 0.0, &first)?;
     let start = std::time::Instant::now();
     while span.passed(done, clock.time) < span.length() {
@@ -219,7 +202,7 @@ pub fn run(
         times.push(ms / count as f64);
         done += count;
         clock = fluid.time_report()?;
-        steps_taken.add(clock.time_step);
+        lengths.push(clock.time_step);
         let passed = span.passed(done, clock.time);
         bar.set_position((passed * per_unit) as u64);
         if film.next().is_some_and(|due| passed >= due) {
@@ -260,8 +243,8 @@ pub fn run(
         ms_per_step: Milliseconds::of(&times),
         average_neighbours: neighbours,
         time_step: TimeSteps {
-            smallest: f64::from(steps_taken.smallest),
-            largest: f64::from(steps_taken.largest),
+            smallest: f64::from(lengths.iter().copied().fold(clock.time_step, f32::min)),
+            largest: f64::from(lengths.iter().copied().fold(clock.time_step, f32::max)),
             last: f64::from(clock.time_step),
             redone: clock.redone,
             held: clock.held,

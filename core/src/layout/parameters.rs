@@ -159,7 +159,8 @@ shared! {
 }
 
 impl Parameters {
-    /// The same scene with time running back.
+    /// The same scene with time running back, with no walls to meet and springs that bear everything. One over the step stays
+    /// what it is: only exchanges read it, which even out whichever way time runs.
     pub(crate) fn backwards(self) -> Parameters {
         let at_rest = self.at_rest();
         let (time_step, half_time_step) = (-self.time_step, -self.half_time_step);

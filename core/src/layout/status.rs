@@ -49,6 +49,10 @@ shared! {
         pub hardest: u32,
         /// Largest speed of sound, likewise, m/s.
         pub loudest: u32,
+        /// Density miss of the last iteration of this step.
+        pub left: u32,
+        /// Times that this step was undone.
+        pub undone: u32,
         /// Steps that were made again, shorter.
         pub redone: u32,
         /// Steps that were not made as short as they should have been, the shortest being longer.
@@ -59,6 +63,8 @@ shared! {
         pub half_time_step: f32,
         /// One over it, 1/s.
         pub inverse_time_step: f32,
+        /// What the next step was to be after the last one that counts, s.
+        pub first_time_step: f32,
         /// The last step that counts, s.
         pub last_time_step: f32,
         /// What it should have been at most, s.

@@ -78,7 +78,9 @@ impl Work for &mut Job<'_> {
                         let depth = depth_if_free(m, depth_behind(x, normal, real(plane[3])), wall);
                         v = reflect(m, p, v, normal, depth);
                         x = put_back(x, normal, depth);
-                        history = select_if_behind(history, history_turned(m, p, v, a, history), depth);
+                        if has_history(m) {
+                            history = select_if_behind(history, history_turned(m, p, v, a, history), depth);
+                        }
                     }
                 }
                 // boxed, lest LLVM carry the loop above in the shape of the store

@@ -197,9 +197,9 @@ choice! {
         SemiImplicitEuler = integrate::SEMI_IMPLICIT_EULER => &["semi_implicit_position", "euler_velocity"],
         /// Verlet, by the last displacement (eq. 2.31): to 2, and 0.732.
         Verlet = integrate::VERLET => &["verlet_position", "verlet_velocity"],
-        /// Velocity Verlet (eq. 2.32): to 2, and 0.732.
+        /// Velocity Verlet (eq. 2.32): to 2, and 0.732. Verlet's motion, with other roundings.
         VelocityVerlet = integrate::VELOCITY_VERLET => &["velocity_verlet_position", "velocity_verlet_velocity"],
-        /// Leapfrog (eq. 2.34; S3): to 2, and 0.732.
+        /// Leapfrog (eq. 2.34; S3): to 2, and 0.732. Again the same motion.
         Leapfrog = integrate::LEAPFROG => &["leapfrog_position", "leapfrog_velocity"],
         /// Clavet's prediction and relaxation (eq. 2.35): to 1.155, and 0.667.
         Clavet = integrate::PREDICTION_RELAXATION => &["clavet_prediction", "clavet_relaxation", "clavet_velocity"],

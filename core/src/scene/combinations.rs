@@ -275,27 +275,28 @@ impl Scene {
 
     fn check_integrator(&self) -> Result<(), SceneError> {
         let model = &self.model;
-        let remembers = matches!(
-            model.integrator,
-            Integrator::Verlet
-                | Integrator::Beeman
-                | Integrator::VelocityCorrectedBeeman
-                | Integrator::PositionCorrectedBeeman
-        );
+        let changes = model.integrator.allows_changing_steps();
         let corrects = model.equation_of_state == EquationOfState::PressureCorrection;
-        if self.adaptive.is_some() && !model.integrator.allows_changing_steps() {
-            return Err(not_together(
-                "adaptive",
-                "a model.integrator Verlet or one of Beeman's",
-                "what it remembers of the step before is of a step of the same length",
-            ));
+        if let Some(Adaptive { speed, acceleration, sound, viscosity, .. }) = self.adaptive {
+            if !changes {
+                return Err(not_together(
+                    "adaptive",
+                    "a model.integrator Verlet or one of Beeman's",
+                    "what it remembers of the step before is of a step of the same length",
+                ));
+            }
+            if [speed, acceleration, sound, viscosity].iter().all(Option::is_none) {
+                return Err(not_together("adaptive", "no criterion", "there is nothing for the time step to follow"));
+            }
+            if model.viscosity == Viscosity::Exchange || self.fluid.radial_exchange > 0.0 {
+                return Err(not_together(
+                    "adaptive",
+                    "exchanges of velocity",
+                    "their shares are of a step, so that with its length the viscosity would change",
+                ));
+            }
         }
-        let idle = Adaptive { speed: None, acceleration: None, sound: None, viscosity: None, ..Adaptive::default() };
-        let criteria = |a: &Adaptive| [a.speed, a.acceleration, a.sound, a.viscosity];
-        if self.adaptive.is_some_and(|adaptive| criteria(&adaptive) == criteria(&idle)) {
-            return Err(not_together("adaptive", "no criterion", "there is nothing for the time step to follow"));
-        }
-        if self.air.is_some() && remembers {
+        if self.air.is_some() && !changes {
             return Err(not_together(
                 "air",
                 "a model.integrator Verlet or one of Beeman's",

@@ -21,8 +21,8 @@ pub struct Fluid {
     /// Particles inside its own support radius (default the scene's). The scene then has the smallest support radius of its
     /// fluids (S0 section 3.3).
     pub average_neighbours: Option<f32>,
-    /// Tait's constant, Pa (default `rho0 c0^2 / 7`, the corrected constant of S3): S1's stiffness k. The speed of sound then
-    /// only serves the artificial viscosity and the default near stiffness.
+    /// Tait's constant, Pa (default `rho0 c0^2 / 7`, the corrected constant of S3): S1's stiffness k. The speed of sound
+    /// then follows from it, `sqrt(7 k / rho0)`, and `speed_of_sound` has no say.
     pub stiffness: Option<f32>,
     /// Dynamic viscosity, Pa s (default 0: none). For [`Viscosity`](super::Viscosity)`::{Mueller, Morris, Dotted}`.
     pub dynamic_viscosity: f32,

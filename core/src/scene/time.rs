@@ -2,7 +2,8 @@
 use super::Integrator;
 
 impl Integrator {
-    /// Order of its global error where forces do not depend on velocity.
+    /// Order of its global error where forces do not depend on velocity; where they do, and a density that is stepped makes
+    /// them, see [`Integrator::damped_order`].
     #[must_use]
     pub fn order(self) -> u32 {
         match self {
@@ -47,7 +48,8 @@ impl Integrator {
 }
 
 /// A time step that follows from the state (S0 section 2.3.5; S3 section 3.3, step 5): the shortest that one of four criteria
-/// asks for, H being the support radius. A criterion that is `None` does not count.
+/// asks for, H being the support radius. A criterion that is `None` does not count. Waves of a surface and springs have none of
+/// their own: `largest` is to keep their step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
 pub struct Adaptive {
@@ -57,7 +59,7 @@ pub struct Adaptive {
     pub acceleration: Option<f32>,
     /// C of `C H / c`, c being the largest speed of sound (S3; default 0.15). Has no say where pressure is corrected.
     pub sound: Option<f32>,
-    /// C of `C H^2 / nu`, nu being the largest kinematic viscosity (default 0.03, which is 0.125 on half of the support).
+    /// C of `C H^2 / nu`, nu being the largest kinematic viscosity (default 0.03, about 0.125 on half of the support).
     pub viscosity: Option<f32>,
     /// Shortest step, s (default 1e-7). Steps that should have been shorter are counted.
     pub smallest: f32,

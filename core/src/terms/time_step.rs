@@ -58,14 +58,14 @@ pub fn step_inverse<R: Real>(step: R) -> R {
     return div(one, step);
 }
 
-/// The clock after a step, s. It is two numbers, of which the second is what the sums lost (Dekker 1971).
+/// The clock after a step, s. It is two numbers, of which the second is what the sums lost.
 #[inline(always)]
 pub fn clock_after<R: Real>(clock: R, step: R) -> R {
     return clock + step;
 }
 
-/// What the sums lost, this one too, s: exact, the clock being 0 or no smaller than a step.
+/// What the sums lost, this one too, s; of this one exactly (Neumaier 1974).
 #[inline(always)]
 pub fn clock_lost<R: Real>(clock: R, lost: R, step: R, after: R) -> R {
-    return lost + (step - (after - clock));
+    return lost + (smaller(clock, step) - (after - larger(clock, step)));
 }

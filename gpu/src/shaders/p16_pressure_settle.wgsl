@@ -6,6 +6,6 @@ fn pass_body(thread: u32) {
   if settled != 0u { return; }
   atomicAdd(&head.status.iterations, 1u);
   let left = atomicExchange(&head.status.residual, 0u);
-  atomicStore(&head.status.last_residual, left);
+  atomicStore(&head.status.left, left);
   if bitcast<f32>(left) <= p.tolerance { atomicStore(&head.status.settled, 1u); }
 }

@@ -20,7 +20,7 @@ fn pass_body(a: u32) {
         let depth = depth_if_free(depth_behind(x, plane.xyz, plane.w), wall);
         v = reflect(v, plane.xyz, depth);
         x = put_back(x, plane.xyz, depth);
-        history = select_if_behind(history, history_turned(v, acceleration, history), depth);
+        if has_history() { history = select_if_behind(history, history_turned(v, acceleration, history), depth); }
       }
     }
     new_position[a] = vec4(x, new_position[a].w);

@@ -1,6 +1,12 @@
 // What becomes of the step: it counts, it is made again, or nothing does any more; and the clock. One thread. Twin of the clock:
 // core/src/clock.rs.
 const NONE: u32 = 0xffffffffu;
+fn set_step(step: f32) {
+  head.status.time_step = step;
+  head.status.half_time_step = step_half(step);
+  head.status.inverse_time_step = step_inverse(step);
+}
+
 // Sets the next time step. False where this one is to be made again by it.
 fn counts() -> bool {
   let step = p.time_step;
@@ -10,15 +16,14 @@ fn counts() -> bool {
     let hardest = bitcast<f32>(atomicExchange(&head.status.hardest, 0u));
     let loudest = bitcast<f32>(atomicExchange(&head.status.loudest, 0u));
     wanted = step_wanted(fastest, hardest, loudest);
-    let next = step_limited(wanted, step);
-    head.status.time_step = next;
-    head.status.half_time_step = step_half(next);
-    head.status.inverse_time_step = step_inverse(next);
+    set_step(step_limited(wanted, step));
     if p.redo_above > 0.0f && wanted * p.redo_above < step && p.smallest_time_step < step {
-      atomicAdd(&head.status.redone, 1u);
+      atomicAdd(&head.status.undone, 1u);
       return false;
     }
     if wanted < p.smallest_time_step { atomicAdd(&head.status.held, 1u); }
+    atomicAdd(&head.status.redone, atomicExchange(&head.status.undone, 0u));
+    head.status.first_time_step = head.status.time_step;
   }
   head.status.last_time_step = step;
   head.status.last_wanted = wanted;
@@ -38,6 +43,8 @@ fn pass_body(thread: u32) {
   if full != NONE { atomicStore(&head.status.cell_count, atomicLoad(&head.counter[full])); }
   if full != NONE || atomicLoad(&head.status.out_of_range) != NONE || atomicLoad(&head.status.not_finite) != NONE {
     atomicStore(&head.status.failed, 1u);
+    // the clock is as it was, too
+    if m.adaptive == 1u { set_step(head.status.first_time_step); }
     return;
   }
   let iterations = atomicExchange(&head.status.iterations, 0u);
@@ -49,6 +56,7 @@ fn pass_body(thread: u32) {
   }
   atomicAdd(&head.status.steps, 1u);
   atomicStore(&head.status.last_iterations, iterations);
+  atomicStore(&head.status.last_residual, atomicLoad(&head.status.left));
   atomicAdd(&head.status.total_iterations, iterations);
   // a count that is full stays so
   atomicAdd(&head.status.air_refused, min(refused, NONE - atomicLoad(&head.status.air_refused)));

@@ -4,7 +4,8 @@ use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
 use millpond_core::SceneError;
 use millpond_core::scene::{
-    Air, FieldLattice, Fluid, Periodic, Plasticity, Scene, SupportRange, SurfaceTension, Wall, WallShape, Wind,
+    Adaptive, Air, FieldLattice, Fluid, Periodic, Plasticity, Scene, SupportRange, SurfaceTension, Wall, WallShape,
+    Wind,
 };
 
 /// Particles of a case, and steps, if it starts.
@@ -66,6 +67,15 @@ const NUMBERS: &[(&str, Number)] = &[
     ("air.minimum_density", |s| Some(&mut air(s).minimum_density)),
     ("model.surface_threshold", |s| Some(&mut s.model.surface_threshold)),
     ("model.correction.tolerance", |s| Some(&mut s.model.correction.tolerance)),
+    ("adaptive.speed", |s| adaptive(s).speed.as_mut()),
+    ("adaptive.acceleration", |s| adaptive(s).acceleration.as_mut()),
+    ("adaptive.sound", |s| adaptive(s).sound.as_mut()),
+    ("adaptive.viscosity", |s| adaptive(s).viscosity.as_mut()),
+    ("adaptive.smallest", |s| Some(&mut adaptive(s).smallest)),
+    ("adaptive.largest", |s| Some(&mut adaptive(s).largest)),
+    ("adaptive.growth", |s| Some(&mut adaptive(s).growth)),
+    ("adaptive.redo_above", |s| Some(adaptive(s).redo_above.get_or_insert(1.0))),
+    ("stiffness_for_time_step", |s| Some(s.stiffness_for_time_step.get_or_insert(0.2))),
     ("model.variable_support.smallest", |s| Some(&mut range(s).smallest)),
     ("model.variable_support.largest", |s| Some(&mut range(s).largest)),
 ];
@@ -148,6 +158,10 @@ fn plastic(scene: &mut Scene) -> &mut Plasticity {
 fn air(scene: &mut Scene) -> &mut Air {
     let _ = other(scene);
     scene.air.get_or_insert(Air { fluid: 1, capacity: 20, threshold: 0.3, minimum_density: 0.1 })
+}
+
+fn adaptive(scene: &mut Scene) -> &mut Adaptive {
+    scene.adaptive.get_or_insert_default()
 }
 
 fn range(scene: &mut Scene) -> &mut SupportRange {

@@ -1,7 +1,7 @@
 //! Axes of a map: what varies, over which values, and how a value gets into a scene.
 use crate::failure::Failure;
 use crate::scenes::{SceneFile, with};
-use millpond_core::scene::{EquationOfState, Fluid, Integrator, Scene};
+use millpond_core::scene::{EquationOfState, Fluid, Integrator, Scene, Viscosity};
 use serde::Serialize;
 
 /// Name of the axis that is the time step itself.
@@ -58,7 +58,7 @@ const KNOWN: &[Known] = &[
         name: "speed_of_sound",
         title: "speed of sound, m/s",
         values: || words("10,30,100,300,1500"),
-        way: Way::Number(speed_of_sound),
+        way: Way::NumberIf(speed_of_sound),
     },
     Known {
         name: "stiffness",
@@ -70,7 +70,7 @@ const KNOWN: &[Known] = &[
         name: "viscosity",
         title: "dynamic viscosity, Pa s",
         values: || words("0,1,10,100,1000"),
-        way: Way::Number(viscosity),
+        way: Way::NumberIf(viscosity),
     },
     Known {
         name: "density_ratio",
@@ -202,10 +202,14 @@ fn average_neighbours(scene: &mut Scene, value: f32) {
 }
 
 /// Of the first fluid; those of the others stay in proportion.
-fn speed_of_sound(scene: &mut Scene, value: f32) {
+fn speed_of_sound(scene: &mut Scene, value: f32) -> Result<(), &'static str> {
+    if scene.fluids().any(|fluid| fluid.stiffness.is_some()) || scene.stiffness_for_time_step.is_some() {
+        return Err("the scene's sound follows from its stiffness");
+    }
     let share = value / scene.fluid.speed_of_sound;
     scene.other_fluids.iter_mut().for_each(|fluid| fluid.speed_of_sound *= share);
     scene.fluid.speed_of_sound = value;
+    Ok(())
 }
 
 fn stiffness(scene: &mut Scene, value: f32) {
@@ -213,9 +217,13 @@ fn stiffness(scene: &mut Scene, value: f32) {
 }
 
 /// Of everything that flows, blocks with a viscosity of their own too.
-fn viscosity(scene: &mut Scene, value: f32) {
+fn viscosity(scene: &mut Scene, value: f32) -> Result<(), &'static str> {
+    if matches!(scene.model.viscosity, Viscosity::Artificial | Viscosity::Exchange) {
+        return Err("the scene's model.viscosity takes none");
+    }
     each_fluid(scene, |fluid| fluid.dynamic_viscosity = value);
     scene.blocks.iter_mut().for_each(|block| block.dynamic_viscosity = None);
+    Ok(())
 }
 
 /// At equal bulk moduli: a fluid with the other's pressure and a share of its density has the faster sound. With the same
@@ -265,6 +273,8 @@ mod tests {
         assert!(chosen("dam-break", &[("viscosity", "thick")]).is_err());
         assert!(chosen("dam-break", &[("no_such_field", "1")]).is_err());
         assert!(chosen("dam-break", &[("density_ratio", "0.1")]).is_err(), "one fluid has no ratio");
+        assert!(chosen("stiff-tank", &[("viscosity", "1")]).is_err(), "an artificial viscosity takes none");
+        assert!(chosen("tower", &[("speed_of_sound", "10")]).is_err(), "its stiffness says how fast sound is");
         assert!(chosen("dam-break", &[("equation_of_state", "Nobody")]).is_err());
     }
 

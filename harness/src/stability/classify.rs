@@ -6,7 +6,7 @@ use crate::memory::Heap;
 use crate::scenes::MOST_BYTES;
 use millpond_core::guided::support_radius;
 use millpond_core::scene::Scene;
-use millpond_core::{Needs, SceneError, Serial, Solver};
+use millpond_core::{Needs, SceneError, Serial, Solver, StepError};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -187,6 +187,10 @@ pub(super) fn classify(scene: &Scene, time: f64, most: u64, mut watch: impl FnMu
     watch(&solver);
     for step in 1..=needed {
         if let Err(error) = solver.step(&Serial) {
+            // of a cell that is full the scene is to blame, and not the step
+            if matches!(error, StepError::CellFull { .. }) {
+                return ended(Verdict::Refused(error.to_string()), step);
+            }
             let broken = Broken { criterion: Criterion::NotFinite, time: solver.time(), words: error.to_string() };
             return ended(Verdict::Unstable(broken), step);
         }

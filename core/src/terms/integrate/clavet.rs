@@ -1,12 +1,13 @@
 //! Clavet's prediction and relaxation (Clavet et al. 2005; S0 eq. 2.35 per errata), all forces acting as one (N = 1).
 //!
 //! Order 1, stable to omega dt = 2 / sqrt 3 without damping, which it adds itself; not symplectic. One evaluation.
+use super::euler::*;
 use crate::arithmetic::real::*;
 
 /// Prediction `x* = x_t + v_t dt`, m. Forces are evaluated there, with v_t.
 #[inline(always)]
 pub fn clavet_prediction<R: Real>(x: vec3<R>, v: vec3<R>, dt: R) -> vec3<R> {
-    return x + v * dt;
+    return euler_position(x, v, dt);
 }
 
 /// Relaxation `x_{t+1} = x* + a* dt^2`, m.
@@ -18,5 +19,5 @@ pub fn clavet_relaxation<R: Real>(x: vec3<R>, a: vec3<R>, dt: R) -> vec3<R> {
 /// `v_{t+1} = (x_{t+1} - x_t) / dt = v_t + a* dt`, m/s.
 #[inline(always)]
 pub fn clavet_velocity<R: Real>(v: vec3<R>, a: vec3<R>, dt: R) -> vec3<R> {
-    return v + a * dt;
+    return euler_velocity(v, a, dt);
 }

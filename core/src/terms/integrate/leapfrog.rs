@@ -4,12 +4,13 @@
 //! first step needs no other start and a step may be longer than the last. Forces are evaluated with
 //! `v_t = (v_{t-1/2} + v_{t+1/2}) / 2`, S0's velocity with a delay: of the velocities that could enter, it is the one with the
 //! thesis' limits. Order 2 without damping and 1 with it, symplectic, one evaluation.
+use super::euler::*;
 use crate::arithmetic::real::*;
 
 /// `v_{t+1/2} = v_t + a_t dt / 2`, m/s.
 #[inline(always)]
 pub fn leapfrog_half_velocity<R: Real>(v: vec3<R>, a: vec3<R>, half_dt: R) -> vec3<R> {
-    return v + a * half_dt;
+    return euler_velocity(v, a, half_dt);
 }
 
 /// `x_{t+1} = x_t + v_{t+1/2} dt`, m.

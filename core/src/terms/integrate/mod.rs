@@ -99,7 +99,7 @@ pub fn moved<R: Real>(m: &Model, p: &Parameters, x: vec3<R>, v: vec3<R>, a: vec3
     if is_beeman(m) {
         return flush3(beeman_position(x, v, a, history, dt));
     }
-    return flush3(x + modified_verlet_kick(v, a, half_dt) * dt);
+    return flush3(euler_position(x, modified_verlet_kick(v, a, half_dt), dt));
 }
 
 /// With which velocity, m/s.
@@ -198,13 +198,13 @@ pub fn history_turned<R: Real>(m: &Model, p: &Parameters, v: vec3<R>, new_a: vec
 /// `v + a dt`, m/s.
 #[inline(always)]
 pub fn kick<R: Real>(velocity: vec3<R>, acceleration: vec3<R>, dt: R) -> vec3<R> {
-    return flush3(velocity + acceleration * dt);
+    return flush3(euler_velocity(velocity, acceleration, dt));
 }
 
 /// `x + v dt`, m.
 #[inline(always)]
 pub fn drift<R: Real>(position: vec3<R>, velocity: vec3<R>, dt: R) -> vec3<R> {
-    return flush3(position + velocity * dt);
+    return flush3(euler_position(position, velocity, dt));
 }
 
 /// A coordinate, back inside its period.

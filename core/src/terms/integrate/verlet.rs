@@ -1,5 +1,6 @@
 //! Verlet's: order 2 without damping, where all are stable to omega dt = 2 and symplectic; order 1 with it, since the velocity
 //! in the force is not that of the place. One evaluation each.
+use super::euler::*;
 use crate::arithmetic::real::*;
 
 /// Verlet (S0 eq. 2.31 per errata), m: `x_{t+1} = 2 x_t - x_{t-1} + a_t dt^2`, the last displacement `d_t = x_t - x_{t-1}` being
@@ -45,5 +46,5 @@ pub fn velocity_verlet_velocity<R: Real>(v: vec3<R>, new_a: vec3<R>, a: vec3<R>,
 /// velocity, half kick.
 #[inline(always)]
 pub fn modified_verlet_kick<R: Real>(v: vec3<R>, a: vec3<R>, half_dt: R) -> vec3<R> {
-    return v + a * half_dt;
+    return euler_velocity(v, a, half_dt);
 }
