@@ -73,17 +73,25 @@ pub fn judge(case: &Case, gpu: Option<&Gpu>) -> Result<Verdict, Failure> {
     }
     let (came, fault) = outcome(case, &scalar)?;
     let mut faults: Vec<Fault> = fault.into_iter().collect();
+    faults.extend(between(&scalar, &others));
     let all = || std::iter::once(&scalar).chain(&others);
-    faults.extend(all().filter(|ended| !ended.kept).map(|ended| Fault::Changed(ended.backend.into())));
-    for other in &others {
+    let refusals = all().filter(|ended| ended.refusal.is_some()).count();
+    Ok(Verdict { name: case.name.clone(), came, refusals, compared: others.len(), faults })
+}
+
+/// What backends did to a state that they were to keep, and where they part.
+fn between(scalar: &Ended, others: &[Ended]) -> Vec<Fault> {
+    let all = std::iter::once(scalar).chain(others);
+    let mut faults: Vec<Fault> =
+        all.filter(|ended| !ended.kept).map(|ended| Fault::Changed(ended.backend.into())).collect();
+    for other in others {
         let same = (other.refusal, other.steps) == (scalar.refusal, scalar.steps);
         if !same || other.end != scalar.end {
-            let [one, two] = [&scalar, other].map(|ended| format!("{}, {}", ended.backend, ended.words()));
+            let [one, two] = [scalar, other].map(|ended| format!("{}, {}", ended.backend, ended.words()));
             faults.push(Fault::Parted(format!("{one}; {two}")));
         }
     }
-    let refusals = all().filter(|ended| ended.refusal.is_some()).count();
-    Ok(Verdict { name: case.name.clone(), came, refusals, compared: others.len(), faults })
+    faults
 }
 
 /// A scene that did not start.
@@ -180,4 +188,21 @@ fn step(fluid: &mut GpuSolver, steps: u32) -> Result<Option<StepError>, Failure>
 fn not_finite(state: &Snapshot) -> usize {
     let all = [&state.position, &state.velocity, &state.density_pressure, &state.heat, &state.surface];
     all.into_iter().flatten().flatten().filter(|x| !x.is_finite()).count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_state_that_was_changed_and_one_that_is_another_are_found() {
+        let ended = |end: Snapshot| Ended { backend: "", steps: 1, refusal: None, kept: true, start: end.clone(), end };
+        let state = Snapshot { position: vec![[1.0; 4]], ..Snapshot::default() };
+        assert!(between(&ended(state.clone()), &[ended(state.clone())]).is_empty());
+        let mut other = state.clone();
+        other.position[0][1] = 1.0f32.next_up();
+        assert!(matches!(between(&ended(state.clone()), &[ended(other)])[..], [Fault::Parted(_)]));
+        let changed = Ended { kept: false, ..ended(state.clone()) };
+        assert!(matches!(between(&ended(state), &[changed])[..], [Fault::Changed(_)]));
+    }
 }
