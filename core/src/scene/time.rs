@@ -1,5 +1,5 @@
 //! How time is stepped: what an integrator is good for, and how a time step follows from the state.
-use super::Integrator;
+use super::{Integrator, ModelChoice};
 
 impl Integrator {
     /// Order of its global error where forces do not depend on velocity; where they do, and a density that is stepped makes
@@ -22,7 +22,7 @@ impl Integrator {
         }
     }
 
-    /// The same with forces evaluated again ([`ModelChoice::reevaluate`](super::ModelChoice)).
+    /// The same with forces evaluated again ([`ModelChoice::reevaluate`]).
     #[must_use]
     pub fn damped_order_twice(self) -> u32 {
         match self {
@@ -47,9 +47,37 @@ impl Integrator {
     }
 }
 
+impl ModelChoice {
+    /// Evaluations of forces in a step: one with every integrator, and one more where that is asked for.
+    #[must_use]
+    pub fn evaluations(&self) -> u32 {
+        1 + u32::from(self.reevaluate)
+    }
+}
+
 /// A time step that follows from the state (S0 section 2.3.5; S3 section 3.3, step 5): the shortest that one of four criteria
 /// asks for, H being the support radius. A criterion that is `None` does not count. Waves of a surface and springs have none of
 /// their own: `largest` is to keep their step.
+///
+/// ```
+/// use millpond_core::scene::{Adaptive, Block, Dimension, Fluid, Grid, Scene};
+/// use millpond_core::{Serial, Solver, Storage};
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let block = Block { size: [0.5; 3], ..Block::default() };
+/// let mut scene = Scene::of(Dimension::Three, 0.05, 1e-4, Fluid::default(), block);
+/// scene.gravity = [0.0, -9.81, 0.0];
+/// scene.grid = Grid { cells: [8, 8, 8], ..Grid::default() };
+/// scene.adaptive = Some(Adaptive { redo_above: Some(1.5), ..Adaptive::default() });
+/// let mut storage = Box::new(Storage::<1000, 512>::new());
+/// let mut solver = Solver::new(&scene, storage.lend())?;
+/// while solver.time() < 0.02 {
+///     solver.step(&Serial)?;
+/// }
+/// assert!(solver.time_report().time_step > 1e-4, "it may be longer, and so it became");
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
 pub struct Adaptive {

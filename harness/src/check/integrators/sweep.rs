@@ -21,8 +21,8 @@ const STEPS: u32 = 120;
 /// From here on: the last 5 s of a run are to hold half a period.
 const FIRST: u32 = 5;
 
-/// What the frames hold: growth in a step, decades of an amplitude, per cent of a frequency.
-const GROWTH: [f64; 2] = [0.0, 2.0];
+/// What the frames hold: growth in a step (to where the legend stands), decades of an amplitude, per cent of a frequency.
+const GROWTH: [f64; 2] = [0.0, 2.6];
 const AMPLITUDE: [f64; 2] = [-3.0, 3.0];
 const FREQUENCY: [f64; 2] = [-30.0, 60.0];
 
