@@ -50,11 +50,11 @@ impl Length {
     ///
     /// # Errors
     /// A time that is none.
-    pub fn of(self, scene: &Scene, otherwise: Span) -> Result<Span, Failure> {
+    pub fn of(self, scene: &Scene, otherwise: impl FnOnce() -> Result<Span, Failure>) -> Result<Span, Failure> {
         match (self.steps, self.time) {
             (Some(steps), _) => Ok(Span::Steps(steps)),
             (None, Some(seconds)) => Span::of_seconds(scene, seconds),
-            (None, None) => Ok(otherwise),
+            (None, None) => otherwise(),
         }
     }
 }

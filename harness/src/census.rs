@@ -1,4 +1,5 @@
 //! What can be said of a state as a whole, the same for every backend: a CPU solver is set up from it and asked.
+use crate::energy::{scale, total};
 use crate::failure::Failure;
 use crate::fluid::Snapshot;
 use crate::memory::Heap;
@@ -17,6 +18,10 @@ pub struct Census {
     pub density_error: DensityError,
     /// Energies but for heat, which the solver that was set up knows nothing of.
     pub energies: Energies,
+    /// Mechanical energy with what compression stores, J; springs and surfaces left out.
+    pub mechanical: f64,
+    /// Energy that a scene in this state has to spend, J.
+    pub to_spend: f64,
     /// Fastest particle, m/s.
     pub fastest: f64,
     /// The step before it, s.
@@ -76,6 +81,8 @@ pub fn census(scene: &Scene, state: &Snapshot) -> Result<Census, Failure> {
         energies: solver.energies(),
         time_step: f64::from(state.clock.time_step),
         courant: solver.courant(state.clock.time_step),
+        mechanical: total(scene, &solver),
+        to_spend: scale(scene, &solver),
         fastest: state.velocity.iter().map(speed).fold(0.0, f64::max),
         farthest: state.position.iter().flat_map(|x| &x[..3]).map(|x| f64::from(x.abs())).fold(0.0, f64::max),
     })

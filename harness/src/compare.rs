@@ -69,7 +69,7 @@ impl Path<'_> {
 pub fn execute(options: &Options) -> Result<bool, Failure> {
     let named = load(&options.common.scene, &options.common.changes)?;
     let file = &named.file;
-    let span = options.length.of(&file.scene, Span::Steps(DEFAULT_STEPS))?;
+    let span = options.length.of(&file.scene, || Ok(Span::Steps(DEFAULT_STEPS)))?;
     let gpu = match options.backend {
         Some(BackendName::Cpu) => None,
         Some(BackendName::Gpu) => Some(Gpu::open(None, Mode::Strict)?),

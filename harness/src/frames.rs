@@ -19,7 +19,10 @@ const RADIUS: f32 = 0.55;
 #[derive(Debug)]
 pub struct Film<'a> {
     scene: Option<(&'a Named, PathBuf)>,
-    at: std::collections::VecDeque<f64>,
+    span: Span,
+    /// How many there are to be, and which of them is next.
+    count: u64,
+    next: u64,
     pictures: Vec<PathBuf>,
 }
 
@@ -27,32 +30,32 @@ impl<'a> Film<'a> {
     /// No pictures.
     #[must_use]
     pub fn none() -> Film<'a> {
-        Film { scene: None, at: std::collections::VecDeque::new(), pictures: Vec::new() }
+        Film { scene: None, span: Span::Steps(0), count: 0, next: 0, pictures: Vec::new() }
     }
 
     /// `count` pictures in `folder`, but no more than there are states: the last of them at the end of the span, the first,
     /// where there is more than one, of the start.
     #[must_use]
     pub fn new(named: &'a Named, folder: &Path, count: u64, span: Span) -> Film<'a> {
-        let at = match span {
-            Span::Steps(steps) => {
-                let count = count.min(steps.saturating_add(1));
-                let parts = u128::from(count.saturating_sub(1).max(1));
-                let before_end = |i: u64| (u128::from(steps) * u128::from(i) / parts) as u64;
-                (0..count).rev().map(|i| (steps - before_end(i)) as f64).collect()
-            }
-            Span::Seconds(seconds) => {
-                let parts = count.saturating_sub(1).max(1) as f64;
-                (0..count).rev().map(|i| seconds * (1.0 - i as f64 / parts)).collect()
-            }
+        let count = match span {
+            Span::Steps(steps) => count.min(steps.saturating_add(1)),
+            // of those that are due in one step one is drawn
+            Span::Seconds(_) => count,
         };
-        Film { scene: Some((named, folder.to_owned())), at, pictures: Vec::new() }
+        Film { scene: Some((named, folder.to_owned())), span, count, next: 0, pictures: Vec::new() }
     }
 
     /// When the next state is to be drawn, in the unit of the span.
     #[must_use]
     pub fn next(&self) -> Option<f64> {
-        self.at.front().copied()
+        if self.next >= self.count {
+            return None;
+        }
+        let (left, parts) = (self.count - 1 - self.next, self.count.saturating_sub(1).max(1));
+        Some(match self.span {
+            Span::Steps(steps) => (steps - (u128::from(steps) * u128::from(left) / u128::from(parts)) as u64) as f64,
+            Span::Seconds(seconds) => seconds * (1.0 - left as f64 / parts as f64),
+        })
     }
 
     /// Draws the state after `passed` of the span and `time` seconds, if a picture is due.
@@ -64,13 +67,17 @@ impl<'a> Film<'a> {
         if self.next().is_none_or(|due| passed < due) {
             return Ok(());
         }
-        // of several that are due in one step one is drawn
-        while self.next().is_some_and(|due| passed >= due) {
-            self.at.pop_front();
-        }
         let path = folder.join(format!("{}-{:04}.png", named.name, self.pictures.len()));
         draw(named, time, state, &path)?;
         self.pictures.push(path);
+        // the next that is not due yet
+        self.next += match self.span {
+            Span::Steps(_) => 1,
+            Span::Seconds(seconds) => {
+                let parts = self.count.saturating_sub(1).max(1) as f64;
+                ((passed / seconds * parts) as u64).saturating_sub(self.next).saturating_add(1)
+            }
+        };
         Ok(())
     }
 

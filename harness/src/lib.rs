@@ -12,6 +12,7 @@ pub mod census;
 pub mod check;
 pub mod cli;
 pub mod compare;
+mod energy;
 pub mod error_study;
 pub mod extremes;
 pub mod failure;

@@ -10,7 +10,7 @@ use crate::pool::Pool;
 use crate::scenes::{Named, load};
 use crate::span::Span;
 use crate::timing::{Milliseconds, timed};
-use crate::warnings::warnings;
+use crate::warnings::{gained, warnings};
 use millpond_core::guided::particle_mass;
 use millpond_core::layout::f32x4;
 use millpond_core::scene::{EquationOfState, Kind, Scene, kind_of};
@@ -152,7 +152,7 @@ const STEPS_AT_ONCE: u64 = 16;
 pub fn execute(options: &Options) -> Result<bool, Failure> {
     let named = load(&options.common.scene, &options.common.changes)?;
     let scene = &named.file.scene;
-    let span = options.length.of(scene, Span::of_seconds(scene, named.file.duration)?)?;
+    let span = options.length.of(scene, || Span::of_seconds(scene, named.file.duration))?;
     let pool = Pool::new(options.common.threads)?;
     let frames = options.frames.unwrap_or(1);
     let folder = options.common.out.as_deref();
@@ -232,6 +232,7 @@ pub fn run(
     let refused = air.map_or(0, |air: Air| air.refused);
     let mut warnings = warnings(scene, &last_census, refused);
     warnings.extend(held(&clock));
+    warnings.extend(gained(scene, &first_census, &last_census));
     Ok(Outcome {
         scene: named.name.clone(),
         backend: fluid.backend(),

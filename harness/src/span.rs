@@ -21,12 +21,12 @@ impl Span {
     /// # Errors
     /// A time that is none.
     pub fn of_seconds(scene: &Scene, seconds: f64) -> Result<Span, Failure> {
-        let step = f64::from(scene.adaptive.map_or(scene.time_step, |adaptive| adaptive.smallest));
+        let step = f64::from(scene.adaptive.map_or(scene.time_step, |adaptive| adaptive.largest));
         let steps = (seconds / step).round();
         if steps.is_nan() || steps < 0.0 {
             return Err(Failure::Call(format!("--time {seconds} is no length of time")));
         }
-        if scene.adaptive.is_some() && seconds.is_finite() {
+        if steps < MOST_STEPS && scene.adaptive.is_some() {
             return Ok(Span::Seconds(seconds));
         }
         if steps < MOST_STEPS {

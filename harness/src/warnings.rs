@@ -1,5 +1,6 @@
 //! What a user should know of a scene that ran: choices that are known to end badly, and limits of the time step.
 use crate::census::Census;
+use crate::energy::{GROWTH_LIMIT, driven_by};
 use millpond_core::guided::{average_neighbours, support_radius};
 use millpond_core::kernel::slope;
 use millpond_core::kinds::spring_pull;
@@ -55,6 +56,21 @@ pub fn warnings(scene: &Scene, state: &Census, births_refused: u64) -> Vec<Strin
         ));
     }
     warnings
+}
+
+/// Did what nothing drives gain energy between these two states? Where springs or surfaces store some, nobody can say.
+#[must_use]
+pub fn gained(scene: &Scene, first: &Census, last: &Census) -> Option<String> {
+    let stores = |fluid: &Fluid| fluid.elastic_stiffness > 0.0 || fluid.surface_tension > 0.0;
+    let fields = scene.field.is_some() || scene.air.is_some();
+    if fields || scene.fluids().any(stores) || driven_by(scene).is_some() {
+        return None;
+    }
+    let share = (last.mechanical - first.mechanical) / first.to_spend;
+    (share > GROWTH_LIMIT).then(|| {
+        let percent = share * 100.0;
+        format!("the fluid gained energy, {percent:.0} % of what it had to spend: this is no flow, and a smaller time_step may be one")
+    })
 }
 
 fn courant(Courant { speed, sound, .. }: Courant) -> Option<String> {

@@ -91,9 +91,7 @@ pub fn cases() -> Result<Vec<Case>, Failure> {
     for (name, number) in NUMBERS {
         for value in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30] {
             let mut scene = scene.clone();
-            if let Some(number) = number(&mut scene) {
-                *number = value;
-            }
+            *number(&mut scene).ok_or_else(|| Failure::Call(format!("extremes: no {name} to change")))? = value;
             let end = if value.is_finite() { End::Either(Measure::Finite) } else { End::Refused(is_of_a_number) };
             cases.push(Case::of_scene(format!("{name} {value:e}"), scene, STEPS, end));
         }

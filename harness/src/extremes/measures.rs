@@ -3,7 +3,7 @@ use super::Run;
 use crate::census::census;
 use crate::check::Figure;
 use crate::failure::Failure;
-use crate::warnings::warnings;
+use crate::warnings::{gained, warnings};
 
 /// Of the way that a particle falls (the catalogue's X10).
 const FALL: f64 = 1e-4;
@@ -70,7 +70,9 @@ fn off_fall(run: &Run<'_>) -> f64 {
     for ((x0, v0), x) in run.start.position.iter().zip(&run.start.velocity).zip(&run.end.position) {
         for axis in 0..3 {
             let due = f64::from(x0[axis]) + f64::from(v0[axis]) * t + g[axis] * t * t / 2.0;
-            off = off.max((f64::from(x[axis]) - due).abs() / way);
+            let miss = (f64::from(x[axis]) - due).abs() / way;
+            // what is no number stays none
+            off = if off.is_nan() || off >= miss { off } else { miss };
         }
     }
     off
@@ -93,7 +95,8 @@ fn outside(run: &Run<'_>) -> usize {
 
 /// Warnings that `run` would give.
 fn said(run: &Run<'_>) -> Result<usize, Failure> {
-    Ok(warnings(run.scene, &census(run.scene, run.end)?, 0).len())
+    let (start, end) = (census(run.scene, run.start)?, census(run.scene, run.end)?);
+    Ok(warnings(run.scene, &end, 0).len() + usize::from(gained(run.scene, &start, &end).is_some()))
 }
 
 /// By how much mechanical energy grew, over what was in motion or fell.

@@ -122,6 +122,7 @@ impl Axis {
             Some((name, list)) => (name, list.split(',').map(|value| value.trim().to_owned()).collect()),
             None => (text, (known().ok_or_else(|| wrong(&alone()))?.values)()),
         };
+        let name = name.trim().strip_prefix("scene.").unwrap_or(name.trim());
         if name.is_empty() || values.iter().any(String::is_empty) {
             return Err(wrong("give NAME=VALUE,VALUE"));
         }
@@ -185,7 +186,13 @@ pub(super) fn choose(file: &SceneFile, choice: &Choice) -> Result<SceneFile, Fai
         let wrong = |what: String| Failure::Call(format!("--axis {name}={value}: {what}"));
         let number = || value.parse().map_err(|_| "give numbers".to_owned());
         match KNOWN.iter().find(|known| known.name == name).map(|known| &known.way) {
-            None => file = with(&file, name, value).map_err(wrong)?,
+            None => {
+                let changed = with(&file, name, value).map_err(wrong)?;
+                if changed.scene == file.scene && changed != file {
+                    return Err(wrong("it says how a scene is shown, and nothing of what runs".into()));
+                }
+                file = changed;
+            }
             Some(Way::Field(field)) => file = with(&file, field, value).map_err(wrong)?,
             Some(Way::Number(put)) => put(&mut file.scene, number().map_err(wrong)?),
             Some(Way::NumberIf(put)) => {
@@ -272,6 +279,8 @@ mod tests {
         assert!(parse_all(&["viscosity=1".into(), "viscosity=2".into()]).is_err());
         assert!(chosen("dam-break", &[("viscosity", "thick")]).is_err());
         assert!(chosen("dam-break", &[("no_such_field", "1")]).is_err());
+        assert!(chosen("dam-break", &[("duration", "1")]).is_err(), "nothing of what runs");
+        assert_eq!(Axis::parse("scene.time_step=1,2").expect("one name for one thing").name, TIME_STEP);
         assert!(chosen("dam-break", &[("density_ratio", "0.1")]).is_err(), "one fluid has no ratio");
         assert!(chosen("stiff-tank", &[("viscosity", "1")]).is_err(), "an artificial viscosity takes none");
         assert!(chosen("tower", &[("speed_of_sound", "10")]).is_err(), "its stiffness says how fast sound is");

@@ -1,7 +1,7 @@
 //! Is a run stable? Criteria that hold for any scene, and the run that is held against them.
 use super::bounds::{Bound, bounds};
-use super::energy::{driven_by, scale, total};
 use super::map::seconds;
+use crate::energy::{DENSITY_LIMIT, GROWTH_LIMIT, driven_by, scale, total};
 use crate::memory::Heap;
 use crate::scenes::MOST_BYTES;
 use millpond_core::guided::support_radius;
@@ -10,18 +10,12 @@ use millpond_core::{Needs, SceneError, Serial, Solver, StepError};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// How far the mechanical energy may rise above the least that it has been, as a share of the energy that the scene has to
-/// spend. What is left alone can only lose energy. A second-order step gives and takes about one per cent as sound passes;
-/// one that is too long multiplies it.
-const GROWTH_LIMIT: f64 = 0.05;
-
-/// Largest mean compression, as a share of the rest density. The equations of state are meant for 1 % (Monaghan 1994); at ten
-/// times that a fluid is neither water nor near to what its equation was made for.
-pub(super) const DENSITY_LIMIT: f64 = 0.1;
-
 /// Largest share of the fluid that may be outside of its walls by more than a support radius: a few drops leap over a rim,
 /// walls that do not hold lose more.
 const LOST_LIMIT: f64 = 0.01;
+
+/// The limits together: points that were judged by others are not these.
+pub(super) const CRITERIA: [f64; 3] = [GROWTH_LIMIT, DENSITY_LIMIT, LOST_LIMIT];
 
 /// Steps between two looks: an explosion takes some tens of steps, and a look costs a few per cent of a step.
 const LOOK_EVERY: u64 = 5;
@@ -34,8 +28,10 @@ pub enum Criterion {
     EnergyGrowth,
     /// The fluid is compressed too far.
     DensityError,
-    /// A step could not be made.
+    /// A step could not be made: somebody went where there are no numbers any more.
     NotFinite,
+    /// A step could not be made: more came into a cell than it has places.
+    CellFull,
     /// Particles left the walls.
     ParticlesLost,
 }
@@ -48,6 +44,7 @@ impl Criterion {
             Criterion::EnergyGrowth => "energy growth",
             Criterion::DensityError => "density error",
             Criterion::NotFinite => "not finite",
+            Criterion::CellFull => "cell full",
             Criterion::ParticlesLost => "particles lost",
         }
     }
@@ -111,7 +108,11 @@ impl Judge {
     /// Of a run at its start.
     pub(super) fn new(scene: &Scene, solver: &Solver<'_>) -> Judge {
         let scale = driven_by(scene).is_none().then(|| scale(scene, solver));
-        Judge { scale, least: total(scene, solver), bounds: bounds(scene) }
+        // a box that never held all of the fluid loses none of it
+        let fluid = || solver.particles().filter(|particle| !particle.wall && !particle.dormant);
+        let holds = |bound: &Bound| !fluid().any(|particle| bound.is_outside(particle.position.to_array(), 0.0));
+        let bounds = bounds(scene).into_iter().filter(holds).collect();
+        Judge { scale, least: total(scene, solver), bounds }
     }
 
     /// The criterion that the state now breaks, if any.
@@ -187,11 +188,9 @@ pub(super) fn classify(scene: &Scene, time: f64, most: u64, mut watch: impl FnMu
     watch(&solver);
     for step in 1..=needed {
         if let Err(error) = solver.step(&Serial) {
-            // of a cell that is full the scene is to blame, and not the step
-            if matches!(error, StepError::CellFull { .. }) {
-                return ended(Verdict::Refused(error.to_string()), step);
-            }
-            let broken = Broken { criterion: Criterion::NotFinite, time: solver.time(), words: error.to_string() };
+            let full = matches!(error, StepError::CellFull { .. });
+            let criterion = if full { Criterion::CellFull } else { Criterion::NotFinite };
+            let broken = Broken { criterion, time: solver.time(), words: error.to_string() };
             return ended(Verdict::Unstable(broken), step);
         }
         watch(&solver);

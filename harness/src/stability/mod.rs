@@ -10,7 +10,6 @@ mod axis;
 mod bisect;
 mod bounds;
 mod classify;
-mod energy;
 mod map;
 mod picture;
 mod point;
@@ -21,12 +20,12 @@ pub use axis::Axis;
 pub use classify::Criterion;
 
 use crate::arguments::Common;
+use crate::energy::driven_by;
 use crate::failure::Failure;
 use crate::output::{deliver, make_folder, progress, write_json};
 use crate::pool::Pool;
 use crate::scenes::{SceneFile, load};
 use axis::{choices, choose, parse_all};
-use energy::driven_by;
 use point::{Limits, Point};
 use resume::Ledger;
 use serde::{Deserialize, Serialize};
@@ -150,6 +149,11 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
     }
     let pool = Pool::new(common.threads)?;
     if common.scene == tower::NAME && options.axis.is_empty() {
+        if options.fresh {
+            return Err(Failure::Call(
+                "--fresh has no meaning for the tower, which takes seconds and keeps nothing".into(),
+            ));
+        }
         return tower::execute(common, &base, seconds, options.most_steps, &pool);
     }
     let axes = parse_all(&options.axis)?;
@@ -170,7 +174,8 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
     });
     let runs = runs.into_iter().collect::<Result<Vec<Run>, Failure>>()?;
     bar.finish_and_clear();
-    let energy_not_judged = driven_by(&base.file.scene).map(|what| format!("{what} does work on the fluid"));
+    let driven = points.iter().find_map(|point| driven_by(&point.scene));
+    let energy_not_judged = driven.map(|what| format!("{what} does work on the fluid"));
     let mut suite = Suite { suite: base.name, axes, time_s: seconds, runs, energy_not_judged, picture: None };
     let map = map::Map::of(&suite.axes, &suite.runs);
     if let Some(folder) = &common.out {

@@ -1,11 +1,11 @@
 //! A point of the map: run once, or bisected.
 use super::axis::{Choice, TIME_STEP};
 use super::bisect;
-use super::classify::{Broken, Criterion, TooManySteps, Trial, Verdict, classify};
-use super::energy::fastest_sound;
+use super::classify::{Broken, CRITERIA, Criterion, TooManySteps, Trial, Verdict, classify};
 use super::map::seconds;
 use super::resume::{Ledger, key};
 use super::{Courant, Outcome, Run};
+use crate::energy::fastest_sound;
 use crate::failure::Failure;
 use millpond_core::guided::support_radius;
 use millpond_core::scene::Scene;
@@ -57,7 +57,7 @@ impl Limits {
         let pairs: Vec<String> = point.choice.iter().map(|(name, value)| format!("{name}={value}")).collect();
         let label = pairs.join(", ");
         // another version may step and judge in another way
-        let key = key(&label, &(&point.scene, self.seconds, env!("CARGO_PKG_VERSION")))?;
+        let key = key(&label, &(&point.scene, self.seconds, env!("CARGO_PKG_VERSION"), CRITERIA))?;
         if let Some(run) = ledger.find(&key) {
             return Ok(run.clone());
         }
@@ -111,6 +111,7 @@ impl Limits {
         // of the smallest step that would not do
         let mut failed: Option<(f32, Verdict)> = None;
         let mut softness = Softness::default();
+        let mut any = false;
         let with_step = |time_step| Scene { time_step, ..scene.clone() };
         let start = first_step(scene);
         let most = (self.seconds / FEWEST_STEPS) as f32;
@@ -119,11 +120,15 @@ impl Limits {
             let Trial { verdict, steps } = classify(&with_step(time_step), self.seconds, self.most_steps, |_| ());
             steps_made += steps;
             match verdict {
-                Verdict::Stable => return Ok(true),
+                Verdict::Stable => {
+                    any = true;
+                    return Ok(true);
+                }
                 Verdict::TooManySteps(too_many) => return Err(Vain::TooManySteps(too_many)),
                 other => failed = Some((time_step, other)),
             }
-            let in_vain = softness.is_shown_by(failed.as_ref().map(|(_, verdict)| verdict));
+            // where a step was stable the fluid is not too soft, however alike those fail that are longer
+            let in_vain = !any && softness.is_shown_by(failed.as_ref().map(|(_, verdict)| verdict));
             if in_vain { Err(Vain::TooSoft) } else { Ok(false) }
         });
         let run = Run { steps: steps_made, ..blank };

@@ -1,9 +1,9 @@
 //! S1's analysis (section 7): a pillar of fluid in a narrow tower, its mean density error over time for three stiffnesses and
 //! for three time steps (S1's figures 7.2 and 7.3).
 use super::classify::{Trial, Verdict, classify};
-use super::energy::fastest_sound;
 use super::map::seconds as readable;
 use super::{Common, Outcome};
+use crate::energy::fastest_sound;
 use crate::failure::Failure;
 use crate::output::{deliver, make_folder, progress, write_json};
 use crate::plot::{Line, line_plot};
@@ -81,12 +81,18 @@ pub(super) fn execute(
     most_steps: u64,
     pool: &Pool,
 ) -> Result<bool, Failure> {
-    let own = |change: &&String| STUDIED.iter().any(|f| change.split('=').next().is_some_and(|path| path.ends_with(f)));
+    let own = |change: &&String| {
+        let field = change.split('=').next().and_then(|path| path.trim().rsplit('.').next());
+        STUDIED.iter().any(|studied| field == Some(studied))
+    };
     if let Some(change) = common.changes.set.iter().find(own) {
         return Err(Failure::Call(format!("--set {change} has no meaning here: it is what the suite varies")));
     }
     let by_step = TIME_STEPS.into_iter().filter(|step| *step != MIDDLE.1).map(|step| (MIDDLE.0, step));
     let points: Vec<(f32, f32)> = STIFFNESSES.into_iter().map(|k| (k, MIDDLE.1)).chain(by_step).collect();
+    if let Some(folder) = &common.out {
+        make_folder(folder)?;
+    }
     let bar = progress("stability tower", points.len() as u64);
     let done = pool.map(&points, |point| {
         let run = run(&base.file.scene, *point, seconds, most_steps);
@@ -98,7 +104,6 @@ pub(super) fn execute(
     let mut tower =
         Tower { suite: NAME, time_s: seconds, findings: findings(&runs, seconds), runs, pictures: Vec::new() };
     if let Some(folder) = &common.out {
-        make_folder(folder)?;
         tower.pictures = pictures(folder, &tower.runs)?;
         write_json(&folder.join("stability.json"), &tower)?;
     }

@@ -3,6 +3,7 @@
 //! A small parallelogram of neighbouring motions is carried along, and its area compared with that after the first step, when
 //! what is remembered has become the scheme's own. A linear spring is a special case: what Beeman's velocity has beside Verlet's
 //! is then a constant factor of the area. With a spring that stiffens it is none.
+use super::super::flow::larger;
 use super::oscillator::{Motion, Oscillator};
 use super::scheme::Scheme;
 use millpond_core::arithmetic::double::Double;
@@ -35,5 +36,5 @@ pub fn change(scheme: Scheme, hardening: f64) -> f64 {
         ax * bv - bx * av
     };
     let first = area();
-    (0..STEPS).map(|_| (area() / first - 1.0).abs()).fold(0.0, f64::max)
+    (0..STEPS).map(|_| (area() / first - 1.0).abs()).fold(0.0, larger)
 }

@@ -134,7 +134,7 @@ fn special(all: &[Measured]) -> Vec<Figure> {
     let [kept, others] =
         [true, false].map(|kept| once().filter(move |one| one.scheme.integrator.is_symplectic() == kept));
     let most = kept.map(|one| larger(one.areas[0], one.areas[1])).fold(0.0, larger);
-    let least = others.map(|one| one.areas[1]).fold(f64::INFINITY, f64::min);
+    let least = others.map(|one| one.areas[1]).fold(f64::INFINITY, |a, b| if a.is_nan() || a <= b { a } else { b });
     figures.push(Figure::below("change of an area, the symplectic ones", most, KEPT));
     figures.push(Figure::above("change of an area, the least of the others", least, NOT_KEPT));
     let verlets = once().filter(|one| one.scheme.integrator.is_symplectic());
