@@ -34,6 +34,7 @@ pub mod report;
 pub mod scene;
 pub mod solver;
 pub mod springs;
+mod start;
 pub mod step;
 pub mod storage;
 pub mod tables;

@@ -19,6 +19,7 @@ pub mod failure;
 pub mod fluid;
 pub mod frames;
 pub mod memory;
+mod outcome;
 pub mod output;
 pub mod paint;
 pub mod plan_view;

@@ -50,6 +50,18 @@ pub fn say(words: &str) -> Result<(), Failure> {
     }
 }
 
+/// A time in words, to the two digits that a bisection finds or the three that somebody gives.
+#[must_use]
+pub fn seconds(time: f32) -> String {
+    let (value, unit) = match time {
+        t if t >= 1.0 => (t, "s"),
+        t if t >= 1e-3 => (t * 1e3, "ms"),
+        t => (t * 1e6, "µs"),
+    };
+    let digits = if value < 9.995 { 2 } else { usize::from(value < 99.95) };
+    format!("{value:.digits$} {unit}")
+}
+
 /// A bar on stderr for long work; nothing where stderr is no terminal.
 #[must_use]
 pub fn progress(what: &str, steps: u64) -> ProgressBar {

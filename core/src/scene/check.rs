@@ -89,41 +89,6 @@ impl Scene {
         scale("particle_spacing", self.particle_spacing, &of_length)
     }
 
-    fn check_time(&self) -> Result<(), SceneError> {
-        if let Some(courant) = self.stiffness_for_time_step {
-            positive("stiffness_for_time_step", courant)?;
-        }
-        let Some(adaptive) = &self.adaptive else { return Ok(()) };
-        let criteria = [
-            ("adaptive.speed", adaptive.speed),
-            ("adaptive.acceleration", adaptive.acceleration),
-            ("adaptive.sound", adaptive.sound),
-            ("adaptive.viscosity", adaptive.viscosity),
-        ];
-        for (field, courant) in criteria {
-            courant.map_or(Ok(()), |courant| positive(field, courant))?;
-        }
-        positive("adaptive.smallest", adaptive.smallest)?;
-        finite("adaptive.smallest", &[1.0 / adaptive.smallest])?;
-        let bounds = [
-            ("adaptive.largest", adaptive.largest, adaptive.smallest, f32::MAX),
-            ("adaptive.growth", adaptive.growth, 1.0, f32::MAX),
-            ("adaptive.redo_above", adaptive.redo_above.unwrap_or(1.0), 1.0, f32::MAX),
-            ("time_step", self.time_step, adaptive.smallest, adaptive.largest),
-        ];
-        for (field, value, least, most) in bounds {
-            if !(least..=most).contains(&value) {
-                return Err(SceneError::OutOfBounds { field, value, least, most });
-            }
-        }
-        Ok(())
-    }
-
-    /// The longest step that there can be, s.
-    pub(super) fn longest_step(&self) -> f32 {
-        self.adaptive.map_or(self.time_step, |adaptive| adaptive.largest)
-    }
-
     fn check_surroundings(&self) -> Result<(), SceneError> {
         not_negative("ambient_density", self.ambient_density)?;
         if let Some(wind) = &self.wind {

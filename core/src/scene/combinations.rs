@@ -1,8 +1,8 @@
 //! Choices that do not go together, refused by name before anything is touched.
 use super::check::positive;
 use super::{
-    Adaptive, Air, Correction, DensityForm, Elasticity, EquationOfState, Evaluation, Fluid, GridStructure, Integrator,
-    Iteration, Kernel, NearPressure, PressureForce, Scene, SurfaceTension, Viscosity, WallPressure,
+    Air, Correction, DensityForm, Elasticity, EquationOfState, Evaluation, Fluid, GridStructure, Iteration, Kernel,
+    NearPressure, PressureForce, Scene, SurfaceTension, Viscosity, WallPressure,
 };
 use crate::error::SceneError;
 use crate::guided::least_cell;
@@ -273,94 +273,6 @@ impl Scene {
         Ok(())
     }
 
-    fn check_integrator(&self) -> Result<(), SceneError> {
-        let model = &self.model;
-        let changes = model.integrator.allows_changing_steps();
-        let corrects = model.equation_of_state == EquationOfState::PressureCorrection;
-        if let Some(Adaptive { speed, acceleration, sound, viscosity, .. }) = self.adaptive {
-            if !changes {
-                return Err(not_together(
-                    "adaptive",
-                    "a model.integrator Verlet or one of Beeman's",
-                    "what it remembers of the step before is of a step of the same length",
-                ));
-            }
-            if [speed, acceleration, sound, viscosity].iter().all(Option::is_none) {
-                return Err(not_together("adaptive", "no criterion", "there is nothing for the time step to follow"));
-            }
-            if model.viscosity == Viscosity::Exchange || self.fluid.radial_exchange > 0.0 {
-                return Err(not_together(
-                    "adaptive",
-                    "exchanges of velocity",
-                    "their shares are of a step, so that with its length the viscosity would change",
-                ));
-            }
-        }
-        if self.air.is_some() && !changes {
-            return Err(not_together(
-                "air",
-                "a model.integrator Verlet or one of Beeman's",
-                "air that has just been made has no step before to remember",
-            ));
-        }
-        let drifts = matches!(model.integrator, Integrator::ModifiedVelocityVerlet | Integrator::SemiImplicitEuler);
-        if corrects && !drifts {
-            return Err(not_together(
-                "model.equation_of_state PressureCorrection",
-                "a model.integrator other than ModifiedVelocityVerlet or SemiImplicitEuler",
-                "pressure is iterated for the velocity that these drift with",
-            ));
-        }
-        if model.reevaluate {
-            if matches!(model.integrator, Integrator::Euler | Integrator::SemiImplicitEuler) {
-                return Err(not_together(
-                    "model.reevaluate",
-                    "one of Euler's for model.integrator",
-                    "forces are evaluated with the velocity at the end of the step already",
-                ));
-            }
-            if matches!(model.integrator, Integrator::Clavet | Integrator::PositionCorrectedBeeman) {
-                return Err(not_together(
-                    "model.reevaluate",
-                    "a model.integrator Clavet or PositionCorrectedBeeman",
-                    "it moves particles after the forces, so that neighbours would have to be found again",
-                ));
-            }
-            if corrects {
-                return Err(not_together(
-                    "model.reevaluate",
-                    "model.equation_of_state PressureCorrection",
-                    "the pressure was iterated for the forces without it",
-                ));
-            }
-        }
-        self.check_stiffness()
-    }
-
-    fn check_stiffness(&self) -> Result<(), SceneError> {
-        if self.stiffness_for_time_step.is_none() {
-            return Ok(());
-        }
-        if self.adaptive.is_some() {
-            return Err(not_together(
-                "stiffness_for_time_step",
-                "adaptive",
-                "either the stiffness follows from the time step or the time step from the stiffness",
-            ));
-        }
-        if self.fluids().any(|fluid| fluid.stiffness.is_some()) {
-            return Err(not_together("stiffness_for_time_step", "fluid.stiffness", "it already says how stiff"));
-        }
-        if self.model.equation_of_state == EquationOfState::PressureCorrection {
-            return Err(not_together(
-                "stiffness_for_time_step",
-                "model.equation_of_state PressureCorrection",
-                "sound that is iterated for does not limit the time step",
-            ));
-        }
-        Ok(())
-    }
-
     fn check_support(&self) -> Result<(), SceneError> {
         let Some(range) = self.model.variable_support else { return Ok(()) };
         let bounds = [
@@ -376,6 +288,6 @@ impl Scene {
     }
 }
 
-fn not_together(choice: &'static str, other: &'static str, why: &'static str) -> SceneError {
+pub(super) fn not_together(choice: &'static str, other: &'static str, why: &'static str) -> SceneError {
     SceneError::NotTogether { choice, other, why }
 }

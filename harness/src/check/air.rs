@@ -7,10 +7,10 @@
 //! outermost row counts more of the neighbours that it should have, each bare particle gets its own, and the drop moves less. What
 //! else becomes of it is told as it came out, for other air too.
 use super::flow::{fluid, grid, larger, mean, rms_speed, start_with, step, steps_to};
-use super::outcome::table;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::memory::Heap;
+use crate::outcome::table;
 use millpond_core::scene::{Air, Block, DensityForm, Dimension, Fluid, ModelChoice, PressureForce, Scene, places};
 use millpond_core::{AirReport, Particle, Solver};
 

@@ -4,11 +4,11 @@
 //! One metre of the scene is a millimetre of theirs: with nu = 1e-6 m2/s the kinematic viscosity then is 1, the seconds stay
 //! the same, and f32 has digits left for the spacing, which it has not at 2e-5 m from an origin 1 m away.
 use super::flow::{fluid, grid, larger, start_with, step, steps_to};
-use super::outcome::table;
 use super::reference::{couette as couette_series, numbers, poiseuille as poiseuille_series};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::memory::Heap;
+use crate::outcome::table;
 use millpond_core::Solver;
 use millpond_core::guided::support_radius;
 use millpond_core::scene::{

@@ -1,11 +1,11 @@
 //! `dam-break-front`: the catalogue's case D1. A column of water, twice as high as wide, collapses onto a dry bed; how far
 //! its front has come is compared with the experiments of Martin and Moyce 1952 and of Koshizuka and Oka 1996.
 use super::flow::{grid, start_with, step, steps_to};
-use super::outcome::table;
 use super::reference::{along, pairs};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::memory::Heap;
+use crate::outcome::table;
 use millpond_core::Solver;
 use millpond_core::guided::support_radius;
 use millpond_core::scene::{

@@ -4,10 +4,10 @@
 //! closer. An elastic cube that falls onto the floor of a box flattens, bounces, trembles and has its shape again, and
 //! the account of its energies never grows: what a penalty wall takes is gone, and it gives nothing.
 use super::flow::{fluid, grid, larger, mean, start_with, step, steps_to};
-use super::outcome::table;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::memory::Heap;
+use crate::outcome::table;
 use glam::Vec3;
 use millpond_core::guided::particle_mass;
 use millpond_core::report::Energies;

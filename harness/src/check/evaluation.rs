@@ -1,9 +1,9 @@
 //! Kernels from tables (S0 section 4.2.3) beside kernels by formula: how far apart a step comes out, and what it costs.
 use super::flow::{fluid, grid, mean, start_with};
-use super::outcome::table;
 use super::{Context, Figure};
 use crate::failure::Failure;
 use crate::memory::Heap;
+use crate::outcome::table;
 use crate::output::progress;
 use crate::timing::{Milliseconds, timed};
 use millpond_core::Particle;

@@ -1,9 +1,9 @@
 //! `extremes`: scenes that nobody should ask for end in a sound state or in a refusal by name, the same on every backend.
-use super::outcome::table;
 use super::{Context, Figure, Outcome};
 use crate::extremes::{Fault, Verdict, cases, judge};
 use crate::failure::Failure;
 use crate::fluid::device_if_any;
+use crate::outcome::table;
 use crate::output::progress;
 
 pub(super) fn run(_: &Context) -> Result<Outcome, Failure> {

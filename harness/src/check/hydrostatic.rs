@@ -1,10 +1,10 @@
 //! `hydrostatic`: the catalogue's case H1. A tank of water settles, and its pressure must be the weight of what is above.
 use super::column::{Column, Miss, Profile};
 use super::flow::{start_with, step, steps_to};
-use super::outcome::table;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::memory::Heap;
+use crate::outcome::table;
 use millpond_core::scene::{DensityForm, Viscosity, WallPressure, Wind, places};
 
 const NAME: &str = "hydrostatic";

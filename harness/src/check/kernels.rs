@@ -1,10 +1,10 @@
 //! `kernels`: every kernel by quadrature, by differences, on lattices against the catalogue's table, and from tables.
 use super::flow::larger;
 use super::lattice::kernel_called;
-use super::outcome::table;
 use super::reference::{entry, number, rows};
 use super::{Context, Figure, Outcome, evaluation, lattice};
 use crate::failure::Failure;
+use crate::outcome::table;
 use millpond_core::kernel::{laplacian, slope, value};
 use millpond_core::scene::Kernel;
 use millpond_core::terms::kernel::kernel_w;

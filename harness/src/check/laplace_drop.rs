@@ -6,9 +6,9 @@
 //! The limits are for a drop in a like fluid. In nothing the colour ends at the surface, and half of its profile is missing:
 //! how much of the tension is left is reported, and there the divergence of unit normals is the better curvature.
 use super::drop::{Around, Droplet, SIGMA};
-use super::outcome::table;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
+use crate::outcome::table;
 use millpond_core::scene::SurfaceTension;
 
 const NAME: &str = "laplace-drop";

@@ -1,9 +1,9 @@
 //! Sums of kernels over lattices, against the catalogue's table: what density, gradient and Laplacian come to where the
 //! particles start.
 use super::Figure;
-use super::outcome::table;
 use super::reference::{entry, number, rows};
 use crate::failure::Failure;
+use crate::outcome::table;
 use millpond_core::kernel::{slope, value};
 use millpond_core::scene::Kernel;
 use std::f64::consts::PI;

@@ -18,7 +18,6 @@ mod kernels;
 mod laplace_drop;
 mod lattice;
 mod oscillating_drop;
-mod outcome;
 mod pressure_correction;
 mod rayleigh_taylor;
 mod reference;
@@ -31,7 +30,7 @@ mod taylor_green;
 mod tensile;
 mod two_fluids;
 
-pub use outcome::{Figure, Outcome, Sense};
+pub use crate::outcome::{Figure, Outcome, Sense};
 
 use crate::failure::Failure;
 use crate::output::{make_folder, print_json, say, write_text};

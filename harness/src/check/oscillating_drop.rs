@@ -9,11 +9,11 @@
 //! no formula for weak viscosity in a free drop has it. It also has the images of the drop in its periodic square: 2 %.
 use super::drop::{Around, Calm, Droplet, SIGMA, SPACING, centre, of_drop};
 use super::flow::{heap_for, larger, mean, start_with, step, steps_to};
-use super::outcome::table;
 use super::reference::{entry, number, rows};
 use super::swing::{Swing, fit, natural, theory};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
+use crate::outcome::table;
 use millpond_core::Solver;
 use millpond_core::scene::{Place, SurfaceTension};
 use std::f64::consts::PI;

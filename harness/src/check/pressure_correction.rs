@@ -2,10 +2,10 @@
 //! state at 30 m/s: fifty times what that equation would need.
 use super::column::{Column, Profile};
 use super::flow::{start_with, step, steps_to};
-use super::outcome::table;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::memory::Heap;
+use crate::outcome::table;
 use millpond_core::scene::{Correction, EquationOfState, Kernel, PressureForce, Wind, places};
 
 const NAME: &str = "pressure-correction";

@@ -6,12 +6,12 @@
 //! fluids do not slide past each other as such a flow does. With velocities and stresses that go on across the interface
 //! the same theory gives 1.050 1/s, and with that the particles are compared; the figures for the other are in the table.
 use super::flow::{fluid, grid, mean, start_with, step, steps_to};
-use super::outcome::table;
 use super::reference::{entry, number, rows};
 use super::ripple::{DENSITIES, DEPTH, GRAVITY, Mode, NU, WAVE_NUMBER, formula};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::memory::Heap;
+use crate::outcome::table;
 use millpond_core::guided::support_radius;
 use millpond_core::scene::{
     Block, DensityForm, Dimension, Face, Fluid, Kernel, ModelChoice, Periodic, Place, PressureForce, Scene, Wall,

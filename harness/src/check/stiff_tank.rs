@@ -1,11 +1,11 @@
 //! `stiff-tank`: a column that falls over and sloshes for 5 s at a speed of sound 20 times that of its fastest flow, in steps that
 //! follow from the state (S0 section 2.3.5; S3 section 3.3, step 5).
 use super::flow::{fluid, larger};
-use super::outcome::table;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::fluid::start;
 use crate::memory::Heap;
+use crate::outcome::table;
 use crate::output::progress;
 use crate::scenes::{Changes, load};
 use millpond_core::Solver;

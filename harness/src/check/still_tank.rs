@@ -1,10 +1,10 @@
 //! `still-tank`: the catalogue's case H2. A tank that starts at rest, in the density that its weight asks for, stays so.
 use super::column::Column;
 use super::flow::{rms_speed, start_with, step, steps_to};
-use super::outcome::table;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::memory::Heap;
+use crate::outcome::table;
 use millpond_core::scene::{DensityForm, Kernel, Viscosity, places};
 
 const NAME: &str = "still-tank";

@@ -6,9 +6,9 @@
 //! matter little one by one, and a packing a little denser than at rest: without pressure at large, some of it would be
 //! negative, and particles clump.
 use super::flow::{fluid, grid, heap_for, mean, start_with, step, steps_to};
-use super::outcome::table;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
+use crate::outcome::table;
 use millpond_core::Solver;
 use millpond_core::guided::support_radius;
 use millpond_core::scene::{

@@ -1,10 +1,10 @@
 //! `tensile`: S0 test 1 (section 5.3.1). A cube of water without gravity, held together by its own suction, becomes a
 //! sphere; near pressure keeps its particles from clustering, and without it they do.
 use super::flow::{fluid, grid, mean, start_with, step, steps_to};
-use super::outcome::table;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::memory::Heap;
+use crate::outcome::table;
 use millpond_core::scene::{Block, Dimension, Fluid, NearPressure, Scene, places};
 use millpond_core::{Particle, Solver};
 

@@ -5,11 +5,11 @@
 //! the heavy one's: rows that are not compressed at all are pushed apart, or torn in as far as suction acts. The adapted
 //! forms see no other fluid in their densities (S0 section 3.4.3).
 use super::flow::{grid, larger, rms_speed, start_with, step, steps_to};
-use super::outcome::table;
 use super::strata::{GRAVITY, HEAVY, NEAR, Rest, Row, averaged, mixed, near, rows};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::memory::Heap;
+use crate::outcome::table;
 use millpond_core::guided::support_radius;
 use millpond_core::scene::{
     Block, DensityForm, Dimension, Face, Fluid, Kernel, ModelChoice, PressureForce, Scene, Viscosity, Wall, WallShape,

@@ -1,9 +1,9 @@
 //! Runs a case on every backend and says what came of it.
 use super::{Case, End, Run};
-use crate::check::Figure;
 use crate::failure::Failure;
 use crate::fluid::Snapshot;
 use crate::memory::Heap;
+use crate::outcome::Figure;
 use millpond_core::scene::{Place, places};
 use millpond_core::{Needs, Plan, SceneError, Serial, Simd, Solver, StepError};
 use millpond_gpu::{Gpu, GpuError, GpuSolver};

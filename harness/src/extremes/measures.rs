@@ -1,8 +1,8 @@
 //! What a state that is reported as good is held against.
 use super::Run;
 use crate::census::census;
-use crate::check::Figure;
 use crate::failure::Failure;
+use crate::outcome::Figure;
 use crate::warnings::{gained, warnings};
 
 /// Of the way that a particle falls (the catalogue's X10).

@@ -1,8 +1,8 @@
 //! Is a run stable? Criteria that hold for any scene, and the run that is held against them.
 use super::bounds::{Bound, bounds};
-use super::map::seconds;
 use crate::energy::{DENSITY_LIMIT, GROWTH_LIMIT, driven_by, scale, total};
 use crate::memory::Heap;
+use crate::output::seconds;
 use crate::scenes::MOST_BYTES;
 use millpond_core::guided::support_radius;
 use millpond_core::scene::Scene;

@@ -3,6 +3,7 @@ use super::axis::{Axis, TIME_STEP, choices};
 use super::bisect::PRECISION;
 use super::classify::Criterion;
 use super::{Outcome, Run, Suite};
+use crate::output::seconds;
 use std::collections::BTreeMap;
 
 /// What a cell of the map says.
@@ -168,17 +169,6 @@ pub(super) fn lines(cell: &Cell) -> Vec<String> {
         Cell::Refused => vec!["refused".into()],
         Cell::TooLong => vec!["left undone".into(), "too many steps".into()],
     }
-}
-
-/// A time in words, to the two digits that a bisection finds or the three that somebody gives.
-pub(super) fn seconds(time: f32) -> String {
-    let (value, unit) = match time {
-        t if t >= 1.0 => (t, "s"),
-        t if t >= 1e-3 => (t * 1e3, "ms"),
-        t => (t * 1e6, "µs"),
-    };
-    let digits = if value < 9.995 { 2 } else { usize::from(value < 99.95) };
-    format!("{value:.digits$} {unit}")
 }
 
 #[cfg(test)]

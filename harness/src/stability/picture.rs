@@ -1,8 +1,9 @@
 //! The map as a picture: a cell a point, coloured by its largest stable time step, with the number written in.
 use super::Suite;
 use super::axis::Axis;
-use super::map::{Cell, Map, Panel, lines, seconds};
+use super::map::{Cell, Map, Panel, lines};
 use crate::failure::Failure;
+use crate::output::seconds;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};

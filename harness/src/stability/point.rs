@@ -2,11 +2,11 @@
 use super::axis::{Choice, TIME_STEP};
 use super::bisect;
 use super::classify::{Broken, CRITERIA, Criterion, TooManySteps, Trial, Verdict, classify};
-use super::map::seconds;
 use super::resume::{Ledger, key};
 use super::{Courant, Outcome, Run};
 use crate::energy::fastest_sound;
 use crate::failure::Failure;
+use crate::output::seconds;
 use millpond_core::guided::support_radius;
 use millpond_core::scene::Scene;
 

@@ -1,10 +1,10 @@
 //! S1's analysis (section 7): a pillar of fluid in a narrow tower, its mean density error over time for three stiffnesses and
 //! for three time steps (S1's figures 7.2 and 7.3).
 use super::classify::{Trial, Verdict, classify};
-use super::map::seconds as readable;
 use super::{Common, Outcome};
 use crate::energy::fastest_sound;
 use crate::failure::Failure;
+use crate::output::seconds as readable;
 use crate::output::{deliver, make_folder, progress, write_json};
 use crate::plot::{Line, line_plot};
 use crate::pool::Pool;

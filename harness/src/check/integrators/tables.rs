@@ -1,7 +1,7 @@
 //! What was measured, in tables.
 use super::swings::{STIFFNESSES, omega_dt};
 use super::{DAMPED, DAMPINGS, HARDENING, Measured};
-use crate::check::outcome::table;
+use crate::outcome::table;
 
 /// Limits, orders, areas, runs.
 pub(super) fn all(all: &[Measured]) -> Vec<String> {

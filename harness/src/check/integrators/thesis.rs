@@ -3,7 +3,7 @@ use super::swings::{LAST, START, STEPS, STIFFNESSES, Swing, omega_dt};
 use super::tables::number;
 use super::{Measured, Scheme};
 use crate::check::flow::larger;
-use crate::check::outcome::table;
+use crate::outcome::table;
 use millpond_core::scene::Integrator::{self, *};
 
 /// Table 2.1, from worst to best.

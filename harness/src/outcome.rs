@@ -88,7 +88,7 @@ fn short(value: f64) -> String {
 }
 
 /// A table in words: a row of titles, and rows of the same length.
-pub(super) fn table<const N: usize>(titles: [&str; N], rows: impl IntoIterator<Item = [String; N]>) -> String {
+pub(crate) fn table<const N: usize>(titles: [&str; N], rows: impl IntoIterator<Item = [String; N]>) -> String {
     let mut out = format!("| {} |\n| {} |\n", titles.join(" | "), ["---"; N].join(" | "));
     for row in rows {
         out += &format!("| {} |\n", row.join(" | "));

@@ -1,0 +1,118 @@
+//! How a fluid starts: particles into memory, the first accelerations, what an integrator would remember of the steps before.
+use crate::arithmetic::real::vec3;
+use crate::clock::{Clock, set_step};
+use crate::error::{Quantity, SceneError, StepError};
+use crate::executor::Serial;
+use crate::layout::Model;
+use crate::scene::{Dimension, Kind, Place, Scene, kind_of};
+use crate::solver::Solver;
+use crate::terms::integrate::{MODIFIED_VELOCITY_VERLET, has_history, history_turned, is_beeman};
+
+impl Solver<'_> {
+    /// Evaluates the first accelerations, sorts the particles, and finds the first time step.
+    pub(crate) fn evaluate(&mut self) -> Result<(), StepError> {
+        let mut parameters = self.parameters;
+        set_step(&mut parameters, self.first_step);
+        let at_rest = self.plan.model.at_rest();
+        // with time standing still a step does nothing else
+        let (_, seen) = self.attempt(&Serial, &at_rest, &parameters.at_rest(), &mut |_| ())?;
+        self.take();
+        self.clock = Clock::start(&self.plan.model, &mut parameters, seen);
+        self.parameters = parameters;
+        Ok(())
+    }
+
+    /// What the integrator would remember of the steps before the first one.
+    ///
+    /// Verlet's displacement follows from velocity and acceleration. Beeman's takes the acceleration where the particles were a
+    /// step before, which an attempt at a step back in time finds, off by dt^2 (dt where forces depend on velocity): so no order is
+    /// lost. Where nothing can have been before, that attempt being refused, it takes `a_{-1} = a_0`, Beeman's own start, which loses
+    /// one where velocities are not 0.
+    pub(crate) fn remember(&mut self) {
+        let (m, p) = (self.plan.model, self.parameters);
+        if is_beeman(&m) {
+            let back = Model { integrator: MODIFIED_VELOCITY_VERLET, ..m.at_rest() };
+            let found = self.attempt(&Serial, &back, &p.backwards(), &mut |_| ()).is_ok();
+            let [a, b] = &mut self.memory.states;
+            let (now, before) = if self.current == 0 { (a, b) } else { (b, a) };
+            now.history.copy_from_slice(now.acceleration);
+            if found {
+                for (slot, &id) in before.id.iter().enumerate() {
+                    now.history[self.memory.slot[id as usize] as usize] = before.acceleration[slot];
+                }
+            }
+        } else if has_history(&m) {
+            let now = &mut self.memory.states[self.current];
+            for (slot, history) in now.history.iter_mut().enumerate() {
+                let (v, a) = (vec3::<f32>::splat(now.velocity[slot]), vec3::<f32>::splat(now.acceleration[slot]));
+                let vec3 { x, y, z } = history_turned(&m, &p, v, a, v);
+                *history = [x, y, z, 0.0];
+            }
+        }
+    }
+
+    /// Writes the particles into the current state.
+    pub(crate) fn fill(&mut self, scene: &Scene, places: impl IntoIterator<Item = Place>) -> Result<(), SceneError> {
+        let state = &mut self.memory.states[self.current];
+        let needed = state.id.len();
+        if needed < scene.air_capacity() {
+            let (what, capacity) = ("particles of air (air.capacity) among those", needed);
+            return Err(SceneError::CapacityExceeded { what, needed: scene.air_capacity(), capacity });
+        }
+        let mut places = places.into_iter();
+        for slot in 0..needed {
+            let Some(place) = places.next() else {
+                return Err(SceneError::CapacityExceeded { what: "places of particles", needed, capacity: slot });
+            };
+            let ([x, y, z], [u, v, w]) = (place.position, place.velocity);
+            if scene.dimension == Dimension::Two && (z != 0.0 || w != 0.0) {
+                return Err(SceneError::OutOfPlane);
+            }
+            let quantities = [
+                (&place.position[..], Quantity::Position),
+                (&place.velocity, Quantity::Velocity),
+                (&[place.deviation, place.pressure], Quantity::Density),
+            ];
+            // a step would say of any of them that the place is out of range, or nothing
+            if let Some((_, quantity)) = quantities.into_iter().find(|(of, _)| !of.iter().all(|x| x.is_finite())) {
+                return Err(SceneError::ParticleNotFinite { particle: slot as u32, quantity });
+            }
+            let (masses, species) = (self.plan.model.masses == 1, self.plan.model.species == 1);
+            let kind = kind_of(place.species, scene);
+            let of_coat = scene.air.is_some() && slot >= self.parameters.first_air as usize;
+            let fits = match kind {
+                Some(Kind::Dormant) => of_coat,
+                Some(_) => !of_coat || scene.air.is_some_and(|air| air.fluid == place.species),
+                None => false,
+            };
+            if !fits || (place.species > 0 && !species) || (place.mass != 1.0 && !masses) {
+                return Err(SceneError::UnplannedParticle { particle: slot as u32 });
+            }
+            if !(place.mass > 0.0 && place.mass.is_finite()) {
+                return Err(SceneError::NotPositive { field: "mass of a particle", value: place.mass });
+            }
+            state.position[slot] = [x, y, z, place.mass];
+            state.velocity[slot] = [u, v, w, place.species as f32];
+            state.acceleration[slot] = [0.0; 4];
+            state.density_pressure[slot] = [place.deviation, place.pressure, 0.0, 0.0];
+            if let Some(heat) = state.heat.get_mut(slot) {
+                let energy = match kind {
+                    Some(Kind::Fluid(fluid)) => scene.fluid_of(fluid).thermal_energy,
+                    Some(Kind::Dormant) => self.parameters.air_heat,
+                    _ => 0.0,
+                };
+                *heat = [energy, 0.0, 0.0, 0.0];
+            }
+            state.id[slot] = slot as u32;
+        }
+        state.smoothing.fill([0.0; 4]);
+        self.memory.springs.of.fill([0; 4]);
+        match places.next() {
+            Some(_) => {
+                let needed = needed + 1;
+                Err(SceneError::CapacityExceeded { what: "particles", needed, capacity: needed - 1 })
+            }
+            None => Ok(()),
+        }
+    }
+}
