@@ -9,7 +9,7 @@
 //! 2. [`step`], one page: the passes and their order;
 //! 3. [`terms`], the physics, each formula once for scalar, lanes and WGSL ([`arithmetic`] holds the vocabulary);
 //! 4. `passes`, the loops, and [`grid`], how neighbours are found;
-//! 5. [`solver`], [`report`] and [`springs`], [`memory`] and [`storage`], [`layout`]: the face, the memory, the bytes.
+//! 5. [`solver`] (with `start` and `clock`), [`report`] and [`springs`], [`memory`] and [`storage`], [`layout`]: the face, the memory, the bytes.
 //!
 //! SI units throughout; in 2D every z is 0 and masses are per metre of depth.
 #![no_std]

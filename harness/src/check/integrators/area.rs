@@ -3,7 +3,6 @@
 //! A small parallelogram of neighbouring motions is carried along, and its area compared with that after the first step, when
 //! what is remembered has become the scheme's own. A linear spring is a special case: what Beeman's velocity has beside Verlet's
 //! is then a constant factor of the area. With a spring that stiffens it is none.
-use super::super::flow::larger;
 use super::oscillator::{Motion, Oscillator};
 use super::scheme::Scheme;
 use millpond_core::arithmetic::double::Double;
@@ -36,5 +35,7 @@ pub fn change(scheme: Scheme, hardening: f64) -> f64 {
         ax * bv - bx * av
     };
     let first = area();
-    (0..STEPS).map(|_| (area() / first - 1.0).abs()).fold(0.0, larger)
+    // a motion that has left all numbers has changed its areas beyond all bounds
+    let change = |area: f64| if area.is_finite() { (area / first - 1.0).abs() } else { f64::INFINITY };
+    (0..STEPS).map(|_| change(area())).fold(0.0, f64::max)
 }
