@@ -281,9 +281,9 @@ impl Plan {
             (m.species == 0, "kinds of particle", "there is one fluid and no wall of particles"),
             (m.thermal_energy == 0, "thermal energy", "model.thermal_energy is off"),
             (m.xsph == 0, "XSPH", "fluid.xsph is 0"),
-            (!integrate::has_history(m), "history of the integrator", "model.integrator remembers nothing"),
-            (m.reevaluates == 0, "a second evaluation of forces", "model.reevaluate is off"),
-            (m.adaptive == 0, "a time step that changes", "adaptive is not set"),
+            (!integrate::has_history(m), "integrator's history", "model.integrator remembers nothing"),
+            (m.reevaluates == 0, "second evaluation", "model.reevaluate is off"),
+            (m.adaptive == 0, "changing time step", "adaptive is not set"),
             (!m.reads_tables(), "kernel tables", "model.evaluation is Direct"),
             (
                 choice.equation_of_state != EquationOfState::PressureCorrection,

@@ -190,7 +190,7 @@ choice! {
     pub enum Integrator {
         /// Half kick, drift, half kick (eq. 2.33): stable to 2, and 0.828.
         #[default]
-        ModifiedVelocityVerlet = integrate::MODIFIED_VELOCITY_VERLET => &["modified_verlet_kick"],
+        ModifiedVelocityVerlet = integrate::MODIFIED_VELOCITY_VERLET => &["modified_verlet_kick", "modified_verlet_kick"],
         /// Forward Euler (eq. 2.29): never stable, and to 2.
         Euler = integrate::EULER => &["euler_position", "euler_velocity"],
         /// Semi-implicit Euler (eq. 2.30): to 2, and 0.828.

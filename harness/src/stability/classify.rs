@@ -165,11 +165,11 @@ pub(super) struct Trial {
 pub(super) fn classify(scene: &Scene, time: f64, most: u64, mut watch: impl FnMut(&Solver<'_>)) -> Trial {
     let ended = |verdict, steps| Trial { verdict, steps };
     let refused = |error: SceneError| ended(Verdict::Refused(error.to_string()), 0);
-    if let Err(error) = scene.check() {
-        return refused(error);
-    }
     if scene.adaptive.is_some() {
         return ended(Verdict::Refused("adaptive leaves no time step to judge: --set adaptive=null".into()), 0);
+    }
+    if let Err(error) = scene.check() {
+        return refused(error);
     }
     let bytes = Needs::of(scene).bytes();
     if bytes > MOST_BYTES {
