@@ -191,16 +191,20 @@ fn bounds(scene: &Scene, state: &Snapshot) -> [Vec3; 2] {
     if let Some(container) = &scene.container {
         return [flat(container.low), flat(container.high)];
     }
-    let blocks = scene.blocks.iter().map(|b| (Vec3::from(b.corner), Vec3::from(b.corner) + Vec3::from(b.size)));
+    let joined =
+        |boxes: &mut dyn Iterator<Item = (Vec3, Vec3)>| boxes.reduce(|(low, high), (a, b)| (low.min(a), high.max(b)));
+    let mut blocks = scene.blocks.iter().map(|b| (Vec3::from(b.corner), Vec3::from(b.corner) + Vec3::from(b.size)));
+    let (low, high) = joined(&mut blocks).unwrap_or_else(|| {
+        let at = state.position.first().map_or(Vec3::ZERO, |x| Vec3::new(x[0], x[1], x[2]));
+        (at - 1.0, at + 1.0)
+    });
+    // fluid is given room to move, walls stay where they are
+    let margin = (high - low) * 0.25;
     let walls = scene.walls.iter().map(|w| {
         let (WallShape::Plane { low, high, .. } | WallShape::Box { low, high, .. }) = &w.shape;
         (flat(*low), flat(*high))
     });
-    let joined = blocks.chain(walls).reduce(|(low, high), (a, b)| (low.min(a), high.max(b)));
-    let (low, high) = joined.unwrap_or_else(|| {
-        let at = state.position.first().map_or(Vec3::ZERO, |x| Vec3::new(x[0], x[1], x[2]));
-        (at - 1.0, at + 1.0)
-    });
-    let margin = (high - low) * 0.25;
-    [low - margin, high + margin]
+    let room = [(low - margin, high + margin)];
+    let (low, high) = joined(&mut room.into_iter().chain(walls)).unwrap_or(room[0]);
+    [low, high]
 }
