@@ -2,7 +2,9 @@
 //! the same bits.
 use crate::layout::{Model, Parameters, Status};
 use crate::passes::p23_look::Seen;
-use crate::terms::time_step::{clock_after, clock_lost, step_half, step_inverse, step_limited, step_wanted};
+use crate::terms::time_step::{
+    clock_after, clock_lost, is_overlong, step_half, step_inverse, step_limited, step_wanted,
+};
 
 /// What became of the time step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -50,7 +52,7 @@ impl Clock {
         let mut wanted = step;
         if m.adaptive == 1 {
             wanted = self::wanted(p, seen);
-            let again = p.redo_above > 0.0 && wanted * p.redo_above < step && p.smallest_time_step < step;
+            let again = is_overlong::<f32>(p, wanted, step) > 0.0;
             self.redone = self.redone.wrapping_add(u32::from(again));
             self.held = self.held.wrapping_add(u32::from(!again && wanted < p.smallest_time_step));
             set_step(p, step_limited::<f32>(p, wanted, step));

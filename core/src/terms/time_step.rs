@@ -45,6 +45,17 @@ pub fn step_limited<R: Real>(p: &Parameters, wanted: R, last: R) -> R {
     return larger(smaller(grown, real(p.largest_time_step)), real(p.smallest_time_step));
 }
 
+/// 1 for a step that is to be undone and made again, being so many times longer than what its end asks for, else 0. The shortest
+/// step is never undone.
+#[inline(always)]
+pub fn is_overlong<R: Real>(p: &Parameters, wanted: R, step: R) -> R {
+    if p.redo_above == 0.0 {
+        return real(0.0);
+    }
+    let over = select(real(0.0), real(1.0), less(wanted * p.redo_above, step));
+    return select(real(0.0), over, less(real(p.smallest_time_step), step));
+}
+
 /// Half of a step, s.
 #[inline(always)]
 pub fn step_half<R: Real>(step: R) -> R {

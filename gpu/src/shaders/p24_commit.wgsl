@@ -17,7 +17,7 @@ fn counts() -> bool {
     let loudest = bitcast<f32>(atomicExchange(&head.status.loudest, 0u));
     wanted = step_wanted(fastest, hardest, loudest);
     set_step(step_limited(wanted, step));
-    if p.redo_above > 0.0f && wanted * p.redo_above < step && p.smallest_time_step < step {
+    if is_overlong(wanted, step) > 0.0f {
       atomicAdd(&head.status.undone, 1u);
       return false;
     }
