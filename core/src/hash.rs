@@ -1,5 +1,5 @@
 //! The state hash, and sums over a whole fluid: both in the order of the ids, so that no slot can change them.
-use crate::layout::f32x4;
+use crate::layout::{f32x4, u32x2};
 
 /// FNV-1a, 64 bits, over little-endian bytes.
 #[derive(Clone, Copy, Debug)]
@@ -30,6 +30,15 @@ pub fn state_hash(slot: &[u32], position: &[f32x4], velocity: &[f32x4]) -> u64 {
         let [u, v, w, _] = velocity[s as usize];
         [x, y, z, u, v, w].map(f32::to_bits)
     });
+    words.fold(Fnv::default(), Fnv::word).0
+}
+
+/// Hash of every array of a state, all four numbers of each entry: the entries of a particle in the order of the ids, array after
+/// array, then the ends of springs. Arrays that a scene does without add nothing.
+#[must_use]
+pub fn full_state_hash(slot: &[u32], arrays: &[&[f32x4]], spring_ends: &[u32x2]) -> u64 {
+    let of_particles = arrays.iter().flat_map(|array| slot.iter().filter_map(|&s| array.get(s as usize)).flatten());
+    let words = of_particles.map(|x| x.to_bits()).chain(spring_ends.iter().flatten().copied());
     words.fold(Fnv::default(), Fnv::word).0
 }
 

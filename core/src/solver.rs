@@ -4,7 +4,7 @@ use crate::clock::{Clock, TimeReport};
 use crate::error::{SceneError, StepError};
 use crate::executor::Executor;
 use crate::guided::{first_air, parameters};
-use crate::hash::state_hash;
+use crate::hash::{full_state_hash, state_hash};
 use crate::layout::{Model, Parameters, Status, f32x4, u32x2, u32x4};
 use crate::memory::{Memory, Needs, State};
 use crate::passes::Setup;
@@ -268,6 +268,15 @@ impl<'m> Solver<'m> {
     pub fn hash(&self) -> u64 {
         let state = self.state();
         state_hash(self.memory.slot, state.position, state.velocity)
+    }
+
+    /// Hash of every array of the state, what is remembered of the steps before and the ends of springs included.
+    #[must_use]
+    pub fn full_hash(&self) -> u64 {
+        let s = self.state();
+        let arrays: [&[f32x4]; 8] =
+            [s.position, s.velocity, s.acceleration, s.density_pressure, s.smoothing, s.heat, s.normal, s.history];
+        full_state_hash(self.memory.slot, &arrays, self.spring_ends())
     }
 
     /// Steps that were made.

@@ -1,21 +1,103 @@
-//! Promise: the bits of a known scene are these, on every path, on every machine, however the compiler optimised.
+//! Promise: the bits of known scenes are these, on every path, on every machine, however the compiler optimised.
 //!
-//! CI runs this unoptimised too. The value changes only when the simulation is meant to; say why in the commit.
-use millpond_core::{Serial, Simd, Solver, Storage};
+//! The scenes spell out every field (a test sees to it), so that defaults may change without touching a bit here. CI runs this
+//! unoptimised too. A value changes only when the simulation is meant to; say why in the commit.
+use millpond_core::scene::Scene;
+use millpond_core::{AirStorage, CellPlaces, Extras, Serial, Simd, Solver, SpringStorage, Storage, SurfaceStorage};
+use millpond_core::{Memory, TableStorage, TimeStorage};
 
 #[path = "../../tests/bare/src/scene.rs"]
 #[allow(unreachable_pub, reason = "a module of several programs")]
 mod bare;
 
-/// After 200 steps of `tests/bare`'s scene.
-const GOLDEN: u64 = 0x31ef_eaef_794e_fb8c;
+/// Hash of positions and velocities of `tests/bare`'s scene after 200 steps.
+const BARE: u64 = 0x31ef_eaef_794e_fb8c;
+
+const STEPS: u32 = 60;
+
+macro_rules! golden {
+    ($($name:literal: $hash:literal, $full:literal;)*) => {
+        &[$(($name, include_str!(concat!("golden/", $name, ".ron")), $hash, $full)),*]
+    };
+}
+
+/// Name, text, hash of positions and velocities and hash of all state after [`STEPS`] steps.
+const GOLDEN: &[(&str, &str, u64, u64)] = golden! {
+    "thesis-forms": 0x3d9a_9f44_70c3_97c1, 0xc945_a82e_0c0c_004e;
+    "tables-in-cell-lists": 0x1c50_6809_c154_9b96, 0x98e4_ad86_fae1_0e04;
+    "monaghan-in-a-box": 0xbbb2_eb98_e4f4_09bf, 0xae54_2cf9_ef9b_8664;
+    "adaptive-quasi-fluid": 0xf3b6_2a92_5f18_07b5, 0x1f84_a0e2_5546_2ca3;
+    "corrected-pressure": 0x571b_fc89_96a1_71f7, 0xc040_7246_eecb_34b7;
+    "two-fluids-periodic": 0xdd32_a2f8_0ac2_235d, 0xcc73_16a0_8b1b_017c;
+    "plastic-and-warm": 0xfd1b_708d_a8cd_9cbb, 0x65c3_3676_d97c_2cdb;
+    "air-and-curvature": 0xcca2_713c_c35c_f080, 0xd8a7_0fe3_cca0_8702;
+    "stepped-density-verlet": 0x3bb5_2de3_7c89_413b, 0x2a63_b2fd_6ee5_7d8d;
+    "beeman-exchange": 0xb4dc_7133_fad1_b89e, 0x2bb6_de96_36c7_5209;
+    "everything": 0x73fe_2ab5_15ec_c756, 0x0353_27cd_79cb_5a92;
+};
+
+const N: usize = 1200;
+const CELLS: usize = 520;
+
+/// Memory for any of the scenes.
+#[derive(Default)]
+struct Pools {
+    storage: Box<Storage<N, CELLS>>,
+    places: Box<CellPlaces<CELLS, 64>>,
+    extras: Box<Extras<N, N, N, N>>,
+    time: Box<TimeStorage<N, N, N>>,
+    surface: Box<SurfaceStorage<N>>,
+    springs: Box<SpringStorage<N, 50_000, 50_000>>,
+    air: Box<AirStorage<N>>,
+    tables: Box<TableStorage>,
+}
+
+impl Pools {
+    fn lend(&mut self) -> Memory<'_> {
+        self.storage
+            .lend_with(&mut self.places)
+            .with_extras(&mut self.extras)
+            .with_time(&mut self.time)
+            .with_surface(&mut self.surface)
+            .with_springs(&mut self.springs)
+            .with_air(&mut self.air)
+            .with_tables(&mut self.tables)
+    }
+}
+
+fn run(scene: &Scene, simd: Simd, steps: u32) -> [String; 2] {
+    let mut pools = Pools::default();
+    let mut solver = Solver::new(scene, pools.lend()).expect("a scene").at_level(simd);
+    (0..steps).for_each(|_| solver.step(&Serial).expect("a step"));
+    [solver.hash(), solver.full_hash()].map(|hash| format!("{hash:#018x}"))
+}
+
+fn scene(text: &str) -> Scene {
+    ron::from_str(text).expect("a scene in RON")
+}
 
 #[test]
-fn a_known_scene_has_its_known_bits() {
+fn known_scenes_have_their_known_bits() {
     for simd in [Simd::Scalar, Simd::Base, Simd::detect()] {
-        let mut storage = Box::new(Storage::<1000, 512>::new());
-        let mut solver = Solver::new(&bare::scene(), storage.lend()).expect("a scene").at_level(simd);
-        (0..200).for_each(|_| solver.step(&Serial).expect("a step"));
-        assert_eq!(format!("{:016x}", solver.hash()), format!("{GOLDEN:016x}"), "{simd:?}");
+        assert_eq!(run(&bare::scene(), simd, 200)[0], format!("{BARE:#018x}"), "bare, {simd:?}");
+    }
+    let mut wrong = Vec::new();
+    for (name, text, hash, full) in GOLDEN {
+        for simd in [Simd::Scalar, Simd::Base, Simd::detect()] {
+            let [got, got_full] = run(&scene(text), simd, STEPS);
+            if got != format!("{hash:#018x}") || got_full != format!("{full:#018x}") {
+                wrong.push(format!("\"{name}\": {got}, {got_full}; by {simd:?}"));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "other bits than the known ones:\n{}", wrong.join("\n"));
+}
+
+#[test]
+fn known_scenes_spell_out_every_field() {
+    for (name, text, ..) in GOLDEN {
+        let pretty = ron::ser::PrettyConfig::new().depth_limit(3);
+        let spelled = ron::ser::to_string_pretty(&scene(text), pretty).expect("a scene in RON") + "\n";
+        assert_eq!(*text, spelled, "{name}: a field that its file does not name");
     }
 }

@@ -7,6 +7,7 @@
 //! outermost row counts more of the neighbours that it should have, each bare particle gets its own, and the drop moves less. What
 //! else becomes of it is told as it came out, for other air too.
 use super::flow::{fluid, grid, larger, mean, rms_speed, start_with, step, steps_to};
+use super::recipes::SEVERAL_FLUIDS;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::memory::Heap;
@@ -143,7 +144,7 @@ fn scene((density, coat): (DensityForm, Option<Coat>)) -> Scene {
     let water = Fluid { rest_density: WATER, speed_of_sound: SOUND, dynamic_viscosity: VISCOSITY, ..Fluid::default() };
     let block = Block { corner: [-edge / 2.0, -edge / 2.0, 0.0], size: [edge; 3], ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, SPACING, TIME_STEP, water, block);
-    scene.model = ModelChoice { density, ..ModelChoice::multiphase() };
+    scene.model = ModelChoice { density, ..SEVERAL_FLUIDS };
     if density == DensityForm::Summation {
         scene.model.pressure_force = PressureForce::Monaghan;
     }

@@ -4,6 +4,7 @@
 //! One metre of the scene is a millimetre of theirs: with nu = 1e-6 m2/s the kinematic viscosity then is 1, the seconds stay
 //! the same, and f32 has digits left for the spacing, which it has not at 2e-5 m from an origin 1 m away.
 use super::flow::{fluid, grid, larger, start_with, step, steps_to};
+use super::recipes::WENDLAND;
 use super::reference::{couette as couette_series, numbers, poiseuille as poiseuille_series};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
@@ -120,7 +121,7 @@ fn scene(drive: &Drive, across: u16) -> Scene {
         viscosity_kernel: Kernel::CubicSpline,
         viscosity: Viscosity::Morris,
         calibrated_mass: true,
-        ..ModelChoice::modern()
+        ..WENDLAND
     };
     scene.grid = grid(Dimension::Two, 32);
     scene

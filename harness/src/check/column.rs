@@ -1,5 +1,6 @@
 //! Water at rest in a tank of wall particles in the plane, open at the top: what three studies look at.
 use super::flow::{fluid, grid, mean};
+use super::recipes::WENDLAND;
 use millpond_core::Solver;
 use millpond_core::guided::support_radius;
 use millpond_core::scene::{Block, Dimension, Face, Fluid, Kernel, ModelChoice, Scene, Wall, WallShape};
@@ -75,7 +76,7 @@ impl Column {
             viscosity_kernel: kernel,
             calibrated_mass: true,
             suction: false,
-            ..ModelChoice::modern()
+            ..WENDLAND
         };
         let high = [self.width, self.depth * (1.0 + HEADROOM), 0.0];
         let shape = WallShape::Box { low: [0.0; 3], high, open: [Face::Ceiling].into_iter().collect() };

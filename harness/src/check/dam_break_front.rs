@@ -1,6 +1,7 @@
 //! `dam-break-front`: the catalogue's case D1. A column of water, twice as high as wide, collapses onto a dry bed; how far
 //! its front has come is compared with the experiments of Martin and Moyce 1952 and of Koshizuka and Oka 1996.
 use super::flow::{grid, start_with, step, steps_to};
+use super::recipes::WENDLAND;
 use super::reference::{along, pairs};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
@@ -126,14 +127,8 @@ fn scene(side: u16, (density, wall_pressure): (DensityForm, WallPressure)) -> Sc
     scene.gravity = [0.0, -GRAVITY, 0.0];
     // the column stands behind its gate before it is let go; numbers of particles cannot be made to show its weight
     let hydrostatic_start = density != DensityForm::NumberDensity;
-    scene.model = ModelChoice {
-        density,
-        wall_pressure,
-        hydrostatic_start,
-        calibrated_mass: true,
-        suction: false,
-        ..ModelChoice::modern()
-    };
+    scene.model =
+        ModelChoice { density, wall_pressure, hydrostatic_start, calibrated_mass: true, suction: false, ..WENDLAND };
     let shape = WallShape::Box { low: [0.0; 3], high: TANK, open: [Face::Ceiling].into_iter().collect() };
     // no slip: the bed of the experiment was dry, and the front is the tongue that runs over it
     scene.walls = [Wall::still(shape)].into_iter().collect();

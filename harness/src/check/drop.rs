@@ -5,6 +5,7 @@
 //! interface it is lowest.
 use super::Context;
 use super::flow::{fluid, grid, heap_for, larger, mean, start_with, step, steps_to};
+use super::recipes::SEVERAL_FLUIDS;
 use crate::failure::Failure;
 use millpond_core::guided::{particle_mass, support_radius};
 use millpond_core::scene::{Block, Dimension, Fluid, Kernel, ModelChoice, Periodic, Place, Scene, SurfaceTension};
@@ -193,7 +194,7 @@ impl Droplet {
             viscosity_kernel: kernel,
             calibrated_mass: true,
             surface_tension: self.tension,
-            ..ModelChoice::multiphase()
+            ..SEVERAL_FLUIDS
         };
         scene.grid = grid(Dimension::Two, 32);
         scene

@@ -4,6 +4,7 @@
 //! closer. An elastic cube that falls onto the floor of a box flattens, bounces, trembles and has its shape again, and
 //! the account of its energies never grows: what a penalty wall takes is gone, and it gives nothing.
 use super::flow::{fluid, grid, larger, mean, start_with, step, steps_to};
+use super::recipes::WENDLAND;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::memory::Heap;
@@ -121,7 +122,7 @@ fn pair() -> Scene {
     let fluid = Fluid { elastic_stiffness: PAIR_STIFFNESS, ..Fluid::default() };
     let block = Block { size: [2.0 * PAIR_SPACING, PAIR_SPACING, 0.0], ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, PAIR_SPACING, 1.0, fluid, block);
-    scene.model = ModelChoice { suction: false, ..ModelChoice::modern() };
+    scene.model = ModelChoice { suction: false, ..WENDLAND };
     scene.grid = grid(Dimension::Two, 8);
     scene
 }
@@ -190,7 +191,7 @@ fn cube(context: &Context) -> Scene {
     scene.gravity = [0.0, -GRAVITY, 0.0];
     let width = edge + 2.0 * MARGIN;
     scene.container = Some(Container::closed([0.0; 3], [width, 2.0 * (edge + DROP), width]));
-    scene.model = ModelChoice { calibrated_mass: true, suction: false, thermal_energy: true, ..ModelChoice::modern() };
+    scene.model = ModelChoice { calibrated_mass: true, suction: false, thermal_energy: true, ..WENDLAND };
     scene.grid = grid(Dimension::Three, 16);
     scene
 }

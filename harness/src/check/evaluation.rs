@@ -1,5 +1,6 @@
 //! Kernels from tables (S0 section 4.2.3) beside kernels by formula: how far apart a step comes out, and what it costs.
 use super::flow::{fluid, grid, mean, start_with};
+use super::recipes::{THESIS, WENDLAND};
 use super::{Context, Figure};
 use crate::failure::Failure;
 use crate::memory::Heap;
@@ -37,7 +38,7 @@ struct Way {
 /// # Errors
 /// A scene that cannot run.
 pub(super) fn figures(context: &Context) -> Result<(Vec<Figure>, String), Failure> {
-    let models = [("thesis", ModelChoice::default()), ("modern", ModelChoice::modern())];
+    let models = [("thesis", THESIS), ("modern", WENDLAND)];
     let mut figures = Vec::new();
     let mut lines = Vec::new();
     let bar = progress("kernels, from tables", 3 * models.len() as u64);

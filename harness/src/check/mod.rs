@@ -20,6 +20,7 @@ mod lattice;
 mod oscillating_drop;
 mod pressure_correction;
 mod rayleigh_taylor;
+mod recipes;
 mod reference;
 mod ripple;
 mod stiff_tank;

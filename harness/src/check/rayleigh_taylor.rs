@@ -6,6 +6,7 @@
 //! fluids do not slide past each other as such a flow does. With velocities and stresses that go on across the interface
 //! the same theory gives 1.050 1/s, and with that the particles are compared; the figures for the other are in the table.
 use super::flow::{fluid, grid, mean, start_with, step, steps_to};
+use super::recipes::SEVERAL_FLUIDS;
 use super::reference::{entry, number, rows};
 use super::ripple::{DENSITIES, DEPTH, GRAVITY, Mode, NU, WAVE_NUMBER, formula};
 use super::{Context, Figure, Outcome};
@@ -169,7 +170,7 @@ fn model((density, pressure_force): Form) -> ModelChoice {
         viscosity_kernel: KERNEL,
         hydrostatic_start: true,
         calibrated_mass: true,
-        ..ModelChoice::multiphase()
+        ..SEVERAL_FLUIDS
     }
 }
 

@@ -6,6 +6,7 @@
 //! matter little one by one, and a packing a little denser than at rest: without pressure at large, some of it would be
 //! negative, and particles clump.
 use super::flow::{fluid, grid, heap_for, mean, start_with, step, steps_to};
+use super::recipes::WENDLAND;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
@@ -130,7 +131,7 @@ fn scene(side: u16, (density, force): (DensityForm, PressureForce)) -> Scene {
     scene.average_neighbours = AVERAGE_NEIGHBOURS;
     scene.time_step = (COURANT * support_radius(&scene) / f64::from(SPEED_OF_SOUND)) as f32;
     scene.periodic = Some(Periodic { low: [0.0; 3], high: [1.0, 1.0, 0.0], axes: [true, true, false] });
-    scene.model = ModelChoice { calibrated_mass: true, density, pressure_force: force, ..ModelChoice::modern() };
+    scene.model = ModelChoice { calibrated_mass: true, density, pressure_force: force, ..WENDLAND };
     scene.grid = grid(Dimension::Two, 32);
     scene
 }

@@ -1,11 +1,12 @@
 //! `tensile`: S0 test 1 (section 5.3.1). A cube of water without gravity, held together by its own suction, becomes a
 //! sphere; near pressure keeps its particles from clustering, and without it they do.
 use super::flow::{fluid, grid, mean, start_with, step, steps_to};
+use super::recipes::THESIS;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::memory::Heap;
 use crate::outcome::table;
-use millpond_core::scene::{Block, Dimension, Fluid, NearPressure, Scene, places};
+use millpond_core::scene::{Block, Dimension, Fluid, ModelChoice, NearPressure, Scene, places};
 use millpond_core::{Particle, Solver};
 
 const NAME: &str = "tensile";
@@ -79,14 +80,13 @@ fn line(near: NearPressure, end: f64, blob: &Result<Blob, Failure>) -> [String; 
     [near.name().into(), format!("{end}"), closest, density, round]
 }
 
-/// S0's defaults are the scene's.
 fn scene(context: &Context, near_pressure: NearPressure) -> Scene {
     let edge = f32::from(if context.quick { QUICK_EDGE } else { EDGE }) * SPACING;
     let water = Fluid { dynamic_viscosity: VISCOSITY, ..Fluid::default() };
     let block = Block { corner: [-edge / 2.0; 3], size: [edge; 3], ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, SPACING, TIME_STEP, water, block);
     scene.average_neighbours = AVERAGE_NEIGHBOURS;
-    scene.model.near_pressure = near_pressure;
+    scene.model = ModelChoice { near_pressure, ..THESIS };
     scene.grid = grid(Dimension::Three, 16);
     scene
 }

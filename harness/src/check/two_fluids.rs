@@ -5,6 +5,7 @@
 //! the heavy one's: rows that are not compressed at all are pushed apart, or torn in as far as suction acts. The adapted
 //! forms see no other fluid in their densities (S0 section 3.4.3).
 use super::flow::{grid, larger, rms_speed, start_with, step, steps_to};
+use super::recipes::SEVERAL_FLUIDS;
 use super::strata::{GRAVITY, HEAVY, NEAR, Rest, Row, averaged, mixed, near, rows};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
@@ -175,7 +176,7 @@ fn scene(side: u16, ratio: f32, (density, pressure_force): Form) -> Scene {
         density_kernel: kernel,
         pressure_kernel: kernel,
         viscosity_kernel: kernel,
-        ..ModelChoice::multiphase()
+        ..SEVERAL_FLUIDS
     };
     // each fluid between walls of its own density: what the classic sum smears is the interface alone
     let walls = |fluid: u32, from: f32, open: Face| {

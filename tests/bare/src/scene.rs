@@ -1,11 +1,38 @@
 //! What `tests/bare` steps, and `tests/core_stands_alone.rs` beside it.
-use millpond_core::scene::{Block, Container, Dimension, Fluid, Grid, Scene};
+use millpond_core::scene::{
+    Block, Container, Correction, DensityForm, Dimension, EquationOfState, Evaluation, Fluid, Grid, Integrator,
+    Iteration, Kernel, ModelChoice, NearPressure, PressureForce, Scene, SurfaceTension, Viscosity, WallPressure,
+};
 
 /// A thousand particles in the corner of a box.
 pub fn scene() -> Scene {
     let water = Fluid { speed_of_sound: 20.0, dynamic_viscosity: 2.0, ..Fluid::default() };
     let block = Block { size: [0.5; 3], jitter: 0.02, ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, water, block);
+    // every formula is named, so that the known bits outlive any change of a default
+    scene.model = ModelChoice {
+        integrator: Integrator::ModifiedVelocityVerlet,
+        reevaluate: false,
+        density_kernel: Kernel::Poly6,
+        pressure_kernel: Kernel::Spiky,
+        viscosity_kernel: Kernel::Viscosity,
+        evaluation: Evaluation::Direct,
+        density: DensityForm::Summation,
+        hydrostatic_start: false,
+        calibrated_mass: false,
+        equation_of_state: EquationOfState::Tait,
+        correction: Correction { iteration: Iteration::Relaxed, iterations: 20, tolerance: 0.001 },
+        suction: true,
+        pressure_force: PressureForce::Mueller,
+        near_pressure: NearPressure::Thesis,
+        viscosity: Viscosity::Mueller,
+        surface_tension: SurfaceTension::Off,
+        surface_threshold: 0.1,
+        surface_normals: false,
+        thermal_energy: false,
+        variable_support: None,
+        wall_pressure: WallPressure::Mirrored,
+    };
     scene.gravity = [0.0, -9.81, 0.0];
     scene.container = Some(Container { bounce: 0.5, slip: 0.9, ..Container::closed([0.0; 3], [1.0, 1.0, 0.5]) });
     scene.grid = Grid { cells: [8, 8, 8], ..Grid::default() };

@@ -1,0 +1,45 @@
+//! The formulas of the studies, every field spelled out: a study measures these, whatever the defaults become.
+use millpond_core::scene::{
+    Correction, DensityForm, EquationOfState, Evaluation, Integrator, Iteration, Kernel, ModelChoice, NearPressure,
+    PressureForce, SurfaceTension, Viscosity, WallPressure,
+};
+
+/// The choices of the thesis for a single fluid.
+pub(super) const THESIS: ModelChoice = ModelChoice {
+    integrator: Integrator::ModifiedVelocityVerlet,
+    reevaluate: false,
+    density_kernel: Kernel::Poly6,
+    pressure_kernel: Kernel::Spiky,
+    viscosity_kernel: Kernel::Viscosity,
+    evaluation: Evaluation::Direct,
+    density: DensityForm::Summation,
+    hydrostatic_start: false,
+    calibrated_mass: false,
+    equation_of_state: EquationOfState::Tait,
+    correction: Correction { iteration: Iteration::Relaxed, iterations: 20, tolerance: 0.001 },
+    suction: true,
+    pressure_force: PressureForce::Mueller,
+    near_pressure: NearPressure::Thesis,
+    viscosity: Viscosity::Mueller,
+    surface_tension: SurfaceTension::Off,
+    surface_threshold: 0.1,
+    surface_normals: false,
+    thermal_energy: false,
+    variable_support: None,
+    wall_pressure: WallPressure::Mirrored,
+};
+
+/// One Wendland kernel for everything, the symmetric pressure gradient, Morris' viscosity, no near pressure.
+pub(super) const WENDLAND: ModelChoice = ModelChoice {
+    density_kernel: Kernel::WendlandC2,
+    pressure_kernel: Kernel::WendlandC2,
+    viscosity_kernel: Kernel::WendlandC2,
+    pressure_force: PressureForce::Monaghan,
+    near_pressure: NearPressure::Off,
+    viscosity: Viscosity::Morris,
+    ..THESIS
+};
+
+/// The same for several fluids: a density without smearing across an interface, and the force of Hu and Adams.
+pub(super) const SEVERAL_FLUIDS: ModelChoice =
+    ModelChoice { density: DensityForm::SummationAdapted, pressure_force: PressureForce::DensityWeighted, ..WENDLAND };
