@@ -1,14 +1,14 @@
 //! Promise: a coat of air is made around what is bare, no two of its particles too near each other, and goes where it has lost
 //! the liquid; births for which none is left are counted. All this has the same bits on the scalar path, in lanes, on two
 //! threads, with every term left in, and on a device in strict mode. A scene without air has no bytes for it.
-use millpond::fluid::Snapshot;
-use millpond::memory::Heap;
 use millpond::pool::Pool;
+use millpond::snapshot::Snapshot;
+use millpond_core::OwnedMemory;
 use millpond_core::scene::{
     Air, Block, Container, Dimension, Fluid, Grid, ModelChoice, Periodic, Place, Scene, SurfaceTension, Wall,
     WallShape, places,
 };
-use millpond_core::{AirReport, Needs, Particle, Plan, SceneError, Serial, Simd, Solver};
+use millpond_core::{AirReport, Array, Particle, Pass, Plan, Requirements, SceneError, Serial, Simd, Solver};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 
 mod support;
@@ -41,7 +41,7 @@ fn coat(solver: &Solver<'_>) -> Vec<Particle> {
 #[test]
 fn a_bare_drop_is_coated_and_stays_so() {
     for scene in both() {
-        let mut heap = Heap::of(&scene);
+        let mut heap = OwnedMemory::of(&scene);
         let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
         assert_eq!(solver.air(), AirReport { alive: 0, refused: 0 }, "none at the start, when time stands still");
         solver.step(&Serial).expect("a step");
@@ -82,7 +82,7 @@ fn air_without_liquid_vanishes() {
         let lost = water + 7;
         all[lost] =
             Place::of_fluid(1, if scene.dimension == Dimension::Two { [1.9, 1.9, 0.0] } else { [1.9; 3] }, [0.0; 3]);
-        let mut heap = Heap::of(&scene);
+        let mut heap = OwnedMemory::of(&scene);
         let plan = Plan::of(&scene);
         let mut solver = Solver::with_particles(&scene, plan, count, all.clone(), heap.lend()).expect("a scene");
         assert_eq!(solver.air().alive, 1);
@@ -104,7 +104,7 @@ fn births_that_find_nobody_are_counted() {
     let gpu = device("air_keeps_its_bits", Mode::Strict);
     for capacity in [1, 5] {
         let scene = drop(Dimension::Two, capacity);
-        let mut heap = Heap::of(&scene);
+        let mut heap = OwnedMemory::of(&scene);
         let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
         let mut on_device = gpu.as_ref().map(|gpu| GpuSolver::new(gpu, &solver).expect("a device that takes it"));
         let mut before = 0;
@@ -124,17 +124,17 @@ fn births_that_find_nobody_are_counted() {
 #[test]
 fn a_scene_without_air_has_no_bytes_for_it() {
     let mut scene = drop(Dimension::Two, 100);
-    let with = Needs::of(&scene);
+    let with = Requirements::of(&scene);
     scene.air = None;
-    let without = Needs::of(&scene);
-    let bytes = |needs: &Needs, name: &str| needs.arrays().iter().find(|(n, _)| *n == name).map(|(_, bytes)| *bytes);
-    for name in ["bare", "birth", "slot_of"] {
-        assert_eq!(bytes(&without, name), Some(0), "{name}");
-        assert!(bytes(&with, name) > Some(0), "{name}");
+    let without = Requirements::of(&scene);
+    for array in [Array::total_colour_gradient, Array::spawn_requested] {
+        assert_eq!(without.bytes_of(array), 0, "{}", array.name());
+        assert!(with.bytes_of(array) > 0, "{}", array.name());
     }
-    assert_eq!((with.cells, with.particles), (without.cells + 1, without.particles + 100));
+    let counts = |of: Requirements| (of.counts.cells, of.counts.particles);
+    assert_eq!(counts(with), (counts(without).0 + 1, counts(without).1 + 100));
     let plan = Plan::of(&scene);
-    assert!(plan.passes().all(|pass| !["p11_normals", "p19_coat", "p21_air"].contains(&pass.name())));
+    assert!(plan.passes().all(|pass| ![Pass::Exposure, Pass::SpawnRequests, Pass::Spawn].contains(&pass)));
     assert!(plan.left_out().iter().any(|left_out| left_out.what == "air"));
 }
 
@@ -202,7 +202,7 @@ fn scenes(base: &Scene) -> Vec<(&'static str, Scene)> {
 const STEPS: u32 = 60;
 
 fn by_cpu(scene: &Scene, simd: Simd, threads: usize) -> (Snapshot, AirReport) {
-    let mut heap = Heap::of(scene);
+    let mut heap = OwnedMemory::of(scene);
     let mut solver = Solver::new(scene, heap.lend()).expect("a scene").at_level(simd);
     let pool = Pool::new(threads).expect("threads");
     (0..STEPS).for_each(|_| solver.step(&pool).expect("a step"));
@@ -211,7 +211,7 @@ fn by_cpu(scene: &Scene, simd: Simd, threads: usize) -> (Snapshot, AirReport) {
 
 fn by_everything(scene: &Scene) -> u64 {
     let plan = Plan::everything(scene);
-    let mut heap = Heap::with(Needs::by_plan(scene, &plan));
+    let mut heap = OwnedMemory::with(&Requirements::by_plan(scene, &plan));
     let (count, places) = (scene.particle_count(), places(scene));
     let mut solver = Solver::with_particles(scene, plan, count, places, heap.lend()).expect("a scene");
     (0..STEPS).for_each(|_| solver.step(&Serial).expect("a step"));
@@ -219,7 +219,7 @@ fn by_everything(scene: &Scene) -> u64 {
 }
 
 fn by_gpu(scene: &Scene, gpu: &Gpu) -> (Snapshot, AirReport) {
-    let mut heap = Heap::of(scene);
+    let mut heap = OwnedMemory::of(scene);
     let solver = Solver::new(scene, heap.lend()).expect("a scene");
     let mut fluid = GpuSolver::new(gpu, &solver).expect("a device that takes it");
     fluid.step(STEPS).expect("steps on the device");

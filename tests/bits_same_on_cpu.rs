@@ -2,19 +2,16 @@
 //! grid structures and other grid sizes, however long the neighbour lists are, for 500 steps.
 //!
 //! The hash after every step is compared, so a failure names the first step that differs.
-use millpond::memory::Heap;
 use millpond::pool::Pool;
+use millpond_core::OwnedMemory;
 use millpond_core::scene::{GridStructure, Scene};
-use millpond_core::{Needs, Plan, Simd, Solver};
+use millpond_core::{Plan, Requirements, Simd, Solver};
 
 mod support;
 
 fn hashes(scene: &Scene, plan: Plan, simd: Simd, threads: usize, list: bool, steps: usize) -> Vec<u64> {
-    let mut heap = Heap::with(Needs::by_plan(scene, &plan));
-    let mut memory = heap.lend();
-    if !list {
-        memory.scratch.list = &mut [];
-    }
+    let mut heap = OwnedMemory::with(&Requirements::by_plan(scene, &plan));
+    let memory = heap.lend().with_neighbour_entries(if list { usize::MAX } else { 0 });
     let places = millpond_core::scene::places(scene);
     let solver = Solver::with_particles(scene, plan, scene.particle_count(), places, memory).expect("a scene");
     let mut solver = solver.at_level(simd);

@@ -1,11 +1,11 @@
 //! Promise: in strict mode a device gives the bits of the CPU over 500 steps, looked at after each step or after several,
 //! however many it makes between two looks at its status. `vocabulary_parity.rs` shows that strict mode is what does it.
 use millpond::compare::difference;
-use millpond::fluid::Snapshot;
-use millpond::memory::Heap;
+use millpond::snapshot::Snapshot;
+use millpond_core::OwnedMemory;
 use millpond_core::guided::parameters;
 use millpond_core::scene::{Block, GridStructure, Place, Scene};
-use millpond_core::{Needs, Plan, Serial, Simd, Solver};
+use millpond_core::{Plan, Requirements, Serial, Simd, Solver};
 use millpond_gpu::{GpuSolver, Mode};
 
 mod support;
@@ -14,7 +14,7 @@ use support::device;
 /// Compares after every `stride` steps.
 fn check(test: &str, scene: &Scene, steps: u64, stride: u32) {
     let Some(gpu) = device(test, Mode::Strict) else { return };
-    let mut heap = Heap::of(scene);
+    let mut heap = OwnedMemory::of(scene);
     let mut cpu = Solver::new(scene, heap.lend()).expect("a scene");
     let mut fluid = GpuSolver::new(&gpu, &cpu).expect("a device that takes it");
     while cpu.steps() < steps {
@@ -67,11 +67,8 @@ fn for_a_pair_at_the_very_edge_of_the_support() {
 /// Scalar, lanes with and without lists, and a device, over ten steps.
 fn same_on_all_paths(test: &str, scene: &Scene, places: &[Place]) {
     let gpu = device(test, Mode::Strict);
-    let start = |heap: &mut Heap, simd, list: bool| {
-        let mut memory = heap.lend();
-        if !list {
-            memory.scratch.list = &mut [];
-        }
+    let start = |heap: &mut OwnedMemory, simd, list: bool| {
+        let memory = heap.lend().with_neighbour_entries(if list { usize::MAX } else { 0 });
         let at = places.iter().copied();
         let solver = Solver::with_particles(scene, Plan::of(scene), places.len(), at, memory).expect("a scene");
         let mut solver = solver.at_level(simd);
@@ -83,7 +80,7 @@ fn same_on_all_paths(test: &str, scene: &Scene, places: &[Place]) {
         });
         (solver.hash(), on_device)
     };
-    let heap = || Heap::with(Needs { particles: places.len(), ..Needs::of(scene) });
+    let heap = || OwnedMemory::with(&Requirements::of(scene).for_particles(places.len()));
     let (want, on_device) = start(&mut heap(), Simd::Scalar, true);
     assert_eq!(on_device.unwrap_or(want), want, "{test}, on the device");
     for (simd, list) in [(Simd::Base, true), (Simd::detect(), true), (Simd::detect(), false)] {
@@ -96,7 +93,7 @@ fn with_every_term_that_the_plan_leaves_out() {
     let Some(gpu) = device("bits_same_on_gpu, everything", Mode::Strict) else { return };
     let scene = support::scaled("thesis-cube", 500).file.scene;
     let hashes = [Plan::of(&scene), Plan::everything(&scene)].map(|plan| {
-        let mut heap = Heap::with(Needs::by_plan(&scene, &plan));
+        let mut heap = OwnedMemory::with(&Requirements::by_plan(&scene, &plan));
         let places = millpond_core::scene::places(&scene);
         let cpu = Solver::with_particles(&scene, plan, scene.particle_count(), places, heap.lend()).expect("a scene");
         let mut fluid = GpuSolver::new(&gpu, &cpu).expect("a device that takes it");

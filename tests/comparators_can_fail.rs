@@ -1,16 +1,17 @@
 //! Promise: what compares states sees a single value that is off by one unit in the last place, wherever it is.
 use millpond::compare::{Difference, Paths, PerQuantity, compare, difference, ulp_distance};
-use millpond::fluid::Snapshot;
-use millpond::memory::Heap;
+use millpond::snapshot::Snapshot;
 use millpond::span::Span;
-use millpond_core::{Serial, Solver};
+use millpond_core::OwnedMemory;
+use millpond_core::{Array, Serial, Solver};
 
 mod support;
 
 /// A moving fluid.
 fn state() -> Snapshot {
-    let scene = support::scaled("dam-break", 300).file.scene;
-    let mut heap = Heap::of(&scene);
+    let mut scene = support::scaled("dam-break", 300).file.scene;
+    (scene.model.thermal_energy, scene.model.surface_normals, scene.fluid.xsph) = (true, true, 0.2);
+    let mut heap = OwnedMemory::of(&scene);
     let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
     (0..20).for_each(|_| solver.step(&Serial).expect("a step"));
     Snapshot::of_cpu(&solver)
@@ -22,23 +23,35 @@ fn a_state_equals_itself() {
 }
 
 #[test]
-fn one_ulp_in_any_value_is_seen() {
+fn one_ulp_in_any_value_of_any_array_is_seen() {
     let want = state();
-    let last = want.position.len() - 1;
-    for id in [0, 17, last] {
-        for axis in 0..3 {
-            let mut moved = want.clone();
-            moved.position[id][axis] = moved.position[id][axis].next_up();
-            let found = difference(&want, &moved).expect("a difference");
-            assert_eq!(found.max_ulp, PerQuantity { position: 1, velocity: 0 });
-            assert!(found.max_abs.position > 0.0 && found.first.contains(&format!("particle {id}:")), "{found:?}");
-            assert_ne!(want.hash(), moved.hash());
+    let arrays: Vec<Array> = Array::ALL.iter().copied().filter(|&array| !want.words(array).is_empty()).collect();
+    assert!(arrays.contains(&Array::internal_energy) && arrays.len() > 5, "a state of many arrays: {arrays:?}");
+    for array in arrays {
+        let (entry, all) = (array.words(), want.words(array).len());
+        for word in [0, 1, 17 * entry + entry - 1, all - 1] {
+            let mut other = want.clone();
+            other.words_mut(array)[word] += 1;
+            let found = difference(&want, &other).expect("a difference");
+            assert_eq!(found.arrays, [array]);
+            let one = |of| u32::from(array == of);
+            let max_ulp = PerQuantity { position: one(Array::position), velocity: one(Array::velocity) };
+            assert_eq!(found.max_ulp, max_ulp, "{found:?}");
+            assert!(found.first.contains(&format!("particle {}:", word / entry)), "{found:?}");
+        }
+    }
+}
 
-            let mut pushed = want.clone();
-            pushed.velocity[id][axis] = pushed.velocity[id][axis].next_down();
-            let found = difference(&want, &pushed).expect("a difference");
-            assert_eq!(found.max_ulp, PerQuantity { position: 0, velocity: 1 });
-            assert_ne!(want.hash(), pushed.hash());
+#[test]
+fn the_hash_sees_one_ulp_of_a_place_or_a_velocity() {
+    let want = state();
+    for array in [Array::position, Array::velocity] {
+        for id in [0, 17, want.position().len() - 1] {
+            for axis in 0..3 {
+                let mut other = want.clone();
+                other.words_mut(array)[4 * id + axis] += 1;
+                assert_ne!(want.hash(), other.hash());
+            }
         }
     }
 }
@@ -47,23 +60,23 @@ fn one_ulp_in_any_value_is_seen() {
 fn swapped_missing_and_broken_particles_are_seen() {
     let want = state();
     let mut swapped = want.clone();
-    swapped.position.swap(3, 4);
+    let positions = swapped.words_mut(Array::position);
+    (12..16).for_each(|word| positions.swap(word, word + 4));
     assert!(difference(&want, &swapped).is_some());
 
     let mut fewer = want.clone();
-    fewer.position.pop();
-    fewer.velocity.pop();
+    [Array::position, Array::velocity].map(|array| fewer.words_mut(array).truncate(40));
     assert!(difference(&want, &fewer).is_some());
 
     let mut broken = want.clone();
-    broken.velocity[5][1] = f32::NAN;
+    broken.words_mut(Array::velocity)[21] = f32::NAN.to_bits();
     let Difference { max_abs, .. } = difference(&want, &broken).expect("a difference");
     assert!(max_abs.velocity.is_nan(), "NaN wins");
 
     let mut signed = want.clone();
-    signed.velocity[5][2] = 0.0;
+    signed.words_mut(Array::velocity)[22] = 0.0f32.to_bits();
     let mut negative = signed.clone();
-    negative.velocity[5][2] = -0.0;
+    negative.words_mut(Array::velocity)[22] = (-0.0f32).to_bits();
     assert!(difference(&signed, &negative).is_some(), "bits are compared, not values");
 }
 
@@ -85,7 +98,7 @@ fn compare_tells_of_one_ulp_in_one_step() {
 
     let mut meddle = |step: u64, state: &mut Snapshot| {
         if step == 5 {
-            state.velocity[7][1] = state.velocity[7][1].next_up();
+            state.words_mut(Array::velocity)[29] += 1;
         }
     };
     let told = compare(&named, Span::Steps(8), &paths, &mut meddle).expect("a comparison");

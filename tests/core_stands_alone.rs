@@ -3,7 +3,7 @@
 //! `tests/bare` is a `#![no_std] #![no_main]` program that owns a `static` Storage and steps it. If anything it links
 //! pulled in std, the link would fail with a second panic handler; if anything allocated, for want of an allocator. Its
 //! symbols are looked at too, and its sections: static memory must lie in .bss.
-use millpond::memory::Heap;
+use millpond_core::OwnedMemory;
 use millpond_core::{Serial, Solver, Storage};
 use object::{Object as _, ObjectSection as _, ObjectSymbol as _};
 use std::path::Path;
@@ -30,7 +30,7 @@ fn a_program_without_std_and_allocator_steps_the_same_bits() {
     let program = target.join("release/millpond-bare");
 
     let ran = Command::new(&program).output().expect("it runs");
-    let mut heap = Heap::of(&scene());
+    let mut heap = OwnedMemory::of(&scene());
     let mut solver = Solver::new(&scene(), heap.lend()).expect("a scene");
     (0..200).for_each(|_| solver.step(&Serial).expect("a step"));
     assert_eq!(String::from_utf8_lossy(&ran.stdout), format!("{:016x}", solver.hash()));

@@ -1,9 +1,9 @@
 //! Promise: every choice that a scene can make gives the same bits on the scalar path, in lanes, on two threads, and on a
 //! device in strict mode (without one, that its WGSL is valid); and no choice is left out: the list is made from the choices themselves, one of them at a time
 //! against the defaults.
-use millpond::fluid::Snapshot;
-use millpond::memory::Heap;
 use millpond::pool::Pool;
+use millpond::snapshot::Snapshot;
+use millpond_core::OwnedMemory;
 use millpond_core::layout::f32x4;
 use millpond_core::scene::{
     Adaptive, Air, Block, Container, Correction, DensityForm, Dimension, Elasticity, EquationOfState, Evaluation,
@@ -371,7 +371,13 @@ fn field(scene: &Scene) -> Vec<f32x4> {
 
 const STEPS: u32 = 8;
 
-fn by_cpu(scene: &Scene, simd: Simd, threads: usize, heap: &mut Heap, gpu: Option<&Gpu>) -> [Option<Snapshot>; 2] {
+fn by_cpu(
+    scene: &Scene,
+    simd: Simd,
+    threads: usize,
+    heap: &mut OwnedMemory,
+    gpu: Option<&Gpu>,
+) -> [Option<Snapshot>; 2] {
     let mut solver = Solver::new(scene, heap.lend()).expect("a scene").at_level(simd);
     solver.set_field(&field(scene)).expect("a field");
     let on_device = gpu.map(|gpu| {
@@ -394,10 +400,10 @@ fn check(dimension: Dimension) {
     let base = base(dimension);
     let mut seen = BTreeSet::new();
     for (name, scene) in choices(&base) {
-        let heap = || Heap::of(&scene);
+        let heap = || OwnedMemory::of(&scene);
         let [want, on_device] = by_cpu(&scene, Simd::Scalar, 1, &mut heap(), gpu.as_ref());
         let want = want.expect("a state");
-        let fastest = want.velocity.iter().flatten().fold(0.0f32, |all, v| all.max(v.abs()));
+        let fastest = want.velocity().iter().flatten().fold(0.0f32, |all, v| all.max(v.abs()));
         assert!(fastest.is_finite() && fastest < 100.0, "{name}: a scene that explodes tests little");
         let [lanes, _] = by_cpu(&scene, Simd::detect(), 2, &mut heap(), None);
         assert!(lanes.as_ref() == Some(&want), "{name}: lanes on two threads");
@@ -413,7 +419,7 @@ fn check(dimension: Dimension) {
             assert!(on_device.as_ref() == Some(&want), "{name}: on the device");
         }
         // by its plan and by everything, the same
-        let mut heap = Heap::with(millpond_core::Needs::by_plan(&scene, &Plan::everything(&scene)));
+        let mut heap = OwnedMemory::with(&millpond_core::Requirements::by_plan(&scene, &Plan::everything(&scene)));
         let places = millpond_core::scene::places(&scene);
         let plan = Plan::everything(&scene);
         let mut whole =

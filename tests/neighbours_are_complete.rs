@@ -1,5 +1,5 @@
 //! Promise: the grid finds exactly the pairs that brute force finds, whatever the cloud, the structure and the wrapping.
-use millpond::memory::Heap;
+use millpond_core::OwnedMemory;
 use millpond_core::guided::parameters;
 use millpond_core::scene::{Dimension, GridStructure, Periodic, Scene};
 use millpond_core::{Serial, Solver};
@@ -101,7 +101,7 @@ fn for_points_exactly_on_cell_faces() {
 #[test]
 fn after_walls_have_moved_particles_across_cell_faces() {
     let scene = support::scaled("dam-break", 1000).file.scene;
-    let mut heap = Heap::of(&scene);
+    let mut heap = OwnedMemory::of(&scene);
     let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
     (0..150).for_each(|_| solver.step(&Serial).expect("a step"));
     let points: Vec<[f32; 3]> = solver.particles().map(|p| p.position.to_array()).collect();

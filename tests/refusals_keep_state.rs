@@ -1,10 +1,8 @@
 //! Promise: every error is a typed value that names what went wrong, the same on both backends, and leaves the state hash
 //! as it was.
-use millpond::fluid::Snapshot;
-use millpond::memory::Heap;
-use millpond_core::error::Quantity;
+use millpond::snapshot::Snapshot;
 use millpond_core::scene::{GridStructure, Place, Scene};
-use millpond_core::{Needs, Plan, SceneError, Serial, Simd, Solver, StepError};
+use millpond_core::{Memory, Plan, Quantity, Requirements, SceneError, Serial, Simd, Solver, StepError, Storage};
 use millpond_gpu::{Gpu, GpuError, GpuSolver, Mode};
 
 mod support;
@@ -123,22 +121,24 @@ fn a_scene_that_cannot_start() {
 #[test]
 fn memory_that_is_too_small() {
     let scene = support::scene("thesis-cube", &[]).file.scene;
-    let needs = Needs::of(&scene);
-    let cases = [
-        (Needs { particles: 4095, ..needs }, "particles", 4096, 4095),
-        (Needs { cells: 32_767, ..needs }, "cells", 32_768, 32_767),
-    ];
-    for (lent, what, needed, capacity) in cases {
-        let mut heap = Heap::with(lent);
-        let refused = Solver::new(&scene, heap.lend()).err();
-        assert_eq!(refused, Some(SceneError::CapacityExceeded { what, needed, capacity }));
-    }
-    let mut lists = scene.clone();
-    lists.grid.structure = GridStructure::CellLists { places: 8 };
-    let mut heap = Heap::of(&scene);
-    let refused = Solver::new(&lists, heap.lend()).err();
-    let needed = 8 * 32_768;
-    assert_eq!(refused, Some(SceneError::CapacityExceeded { what: "places of cells", needed, capacity: 0 }));
+    let refused = |memory: Memory<'_>| Solver::new(&scene, memory).err();
+    let too_few = |what, needed, capacity| Some(SceneError::CapacityExceeded { what, needed, capacity });
+    let mut storage: Box<Storage<4095, 32_768>> = Storage::boxed();
+    assert_eq!(refused(storage.lend()), too_few("position", 4096, 4095));
+    let mut storage: Box<Storage<4096, 32_767>> = Storage::boxed();
+    assert_eq!(refused(storage.lend()), too_few("grid_cell_counters", 32_768, 32_767));
+    let needed = Requirements::of(&scene).arena_bytes();
+    let mut arena = vec![0u64; needed / 8 - 1];
+    assert_eq!(
+        refused(Memory::of_arena(bytemuck::cast_slice_mut(&mut arena))),
+        too_few("bytes of arena", needed, needed - 8)
+    );
+    // and what a storage has no name for is looked for in an arena
+    let mut warm = scene.clone();
+    warm.model.thermal_energy = true;
+    let mut storage: Box<Storage<4096, 32_768>> = Storage::boxed();
+    let beside = Requirements::of(&warm).arena_bytes_beside_storage();
+    assert_eq!(Solver::new(&warm, storage.lend()).err(), too_few("bytes of arena", beside, 0));
 }
 
 #[test]

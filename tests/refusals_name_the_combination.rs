@@ -249,7 +249,7 @@ fn springs_that_do_not_fit() {
     let jelly = Fluid { elastic_stiffness: 10.0, ..Fluid::default() };
     let mut scene = Scene::of(Dimension::Two, 0.05, 0.001, jelly, block);
     let solver = |scene: &Scene| {
-        let mut heap = millpond::memory::Heap::of(scene);
+        let mut heap = millpond_core::OwnedMemory::of(scene);
         Solver::new(scene, heap.lend()).map(|solver| solver.springs().count())
     };
     // 4 x 2 particles: 4 + 6 along the sides of the squares, 6 across them

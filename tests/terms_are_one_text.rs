@@ -1,6 +1,7 @@
 //! Promise: the text of the terms is the whole physics on both sides. Every pass compiles as WGSL without a device, uses
 //! no builtin whose bits are a driver's affair, and folders and lists of passes agree.
 use millpond_core::layout::Model;
+use millpond_core::plan::passes::Threads;
 use millpond_core::terms::texts;
 use millpond_core::{Pass, Plan};
 use millpond_gpu::program::{Words, library, program};
@@ -101,23 +102,32 @@ fn every_function_of_the_terms_is_in_the_wgsl_and_defined_once() {
     assert!(wanted > 30, "{wanted} functions: the texts were read");
 }
 
-/// Names of the files of a folder, without extension, that begin with p and a number.
-fn passes_in(folder: &str, extension: &str) -> Vec<String> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
-    let entries = std::fs::read_dir(&folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
-    let names = entries.map(|e| e.expect("an entry").file_name().into_string().expect("a name"));
-    let stem = |name: String| name.strip_suffix(extension).map(str::to_owned);
-    let mut names: Vec<String> =
-        names.filter_map(stem).filter(|n| n.len() > 3 && n.starts_with('p') && n[1..3].parse::<u8>().is_ok()).collect();
-    names.sort();
-    names
+/// `folder/name` of the files with an extension in the folders of a folder that begin with a letter and an underscore, as those of
+/// passes do.
+fn passes_in(root: &str, extension: &str) -> BTreeSet<String> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(root);
+    let entries = |folder: &Path| {
+        let all = std::fs::read_dir(folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
+        all.map(|e| e.expect("an entry").file_name().into_string().expect("a name")).collect::<Vec<_>>()
+    };
+    let folders = entries(&root).into_iter().filter(|name| name.as_bytes().get(1) == Some(&b'_'));
+    let files =
+        folders.flat_map(|folder| entries(&root.join(&folder)).into_iter().map(move |file| format!("{folder}/{file}")));
+    files.filter_map(|file| file.strip_suffix(extension).map(str::to_owned)).collect()
 }
 
 #[test]
 fn both_folders_hold_exactly_the_passes() {
-    let passes: Vec<String> = Pass::ALL.iter().map(|pass| pass.name().to_owned()).collect();
-    assert_eq!(passes_in("core/src/passes", ".rs"), passes);
-    assert_eq!(passes_in("gpu/src/shaders", ".wgsl"), passes);
+    let names = |passes: &dyn Fn(&Pass) -> bool| -> BTreeSet<String> {
+        Pass::ALL.into_iter().filter(passes).map(|pass| format!("{}/{}", pass.folder(), pass.name())).collect()
+    };
+    assert_eq!(passes_in("core/src/passes", ".rs"), names(&|_| true));
+    assert_eq!(passes_in("gpu/src/shaders", ".wgsl"), names(&|pass| pass.threads() != Threads::Host));
+}
+
+#[test]
+fn folders_stand_in_the_order_of_the_step() {
+    assert!(Pass::ALL.map(Pass::folder).is_sorted());
 }
 
 #[test]

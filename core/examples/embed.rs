@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     scene.container = Some(Container::closed([0.0; 3], [1.6, 1.2, 0.0]));
     scene.model = ModelChoice { suction: false, ..ModelChoice::modern() };
     scene.grid = Grid { cells: [32, 32, 1], ..Grid::default() };
-    let mut pool = Box::new(Pool::new());
+    let mut pool = Pool::boxed();
     let mut fluid = Solver::new(&scene, pool.lend())?;
 
     // a frame of 1/60 s is 42 steps; what is refused leaves the fluid as it was, so the game goes on

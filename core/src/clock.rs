@@ -1,7 +1,7 @@
 //! The clock of a fluid: the next time step, and how much time has passed. Its formulas are terms, so that a device's clock shows
 //! the same bits.
 use crate::layout::{Model, Parameters, Status};
-use crate::passes::p23_look::Seen;
+use crate::passes::context::Maxima;
 use crate::terms::time_step::{
     clock_after, clock_lost, is_overlong, step_half, step_inverse, step_limited, step_wanted,
 };
@@ -36,22 +36,22 @@ pub(crate) struct Clock {
 
 impl Clock {
     /// Before the first step: as long as the scene says, or as short as its state asks for.
-    pub(crate) fn start(m: &Model, p: &mut Parameters, seen: Seen) -> Clock {
+    pub(crate) fn start(m: &Model, p: &mut Parameters, maxima: Maxima) -> Clock {
         if m.adaptive == 0 {
             return Clock { last: p.time_step, wanted: p.time_step, ..Clock::default() };
         }
-        let wanted = wanted(p, seen);
+        let wanted = wanted(p, maxima);
         let limits = Parameters { time_step_growth: 1.0, ..*p };
         set_step(p, step_limited::<f32>(&limits, wanted, p.time_step));
         Clock { last: p.time_step, wanted, ..Clock::default() }
     }
 
     /// After a step by these parameters: sets those of the next one. False where the step is to be made again by them.
-    pub(crate) fn after(&mut self, m: &Model, p: &mut Parameters, seen: Seen) -> bool {
+    pub(crate) fn after(&mut self, m: &Model, p: &mut Parameters, maxima: Maxima) -> bool {
         let step = p.time_step;
         let mut wanted = step;
         if m.adaptive == 1 {
-            wanted = self::wanted(p, seen);
+            wanted = self::wanted(p, maxima);
             let again = is_overlong::<f32>(p, wanted, step) > 0.0;
             self.redone = self.redone.wrapping_add(u32::from(again));
             self.held = self.held.wrapping_add(u32::from(!again && wanted < p.smallest_time_step));
@@ -103,8 +103,8 @@ impl TimeReport {
     }
 }
 
-fn wanted(p: &Parameters, seen: Seen) -> f32 {
-    step_wanted::<f32>(p, seen.fastest, seen.hardest, seen.loudest)
+fn wanted(p: &Parameters, maxima: Maxima) -> f32 {
+    step_wanted::<f32>(p, maxima.speed2, maxima.acceleration2, maxima.sound)
 }
 
 /// Writes a time step where formulas look for it.

@@ -1,4 +1,5 @@
 //! Every way in which millpond can refuse: what, which, where, how much. Whatever refuses leaves the state as it was.
+use crate::plan::arrays::Quantity;
 use core::fmt;
 
 /// A scene that cannot run.
@@ -231,33 +232,6 @@ pub enum StepError {
         /// The step that was tried, counted from 1.
         step: u64,
     },
-}
-
-/// A quantity of a particle that can stop being finite.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(u32)]
-pub enum Quantity {
-    /// Position, m.
-    Position = 0,
-    /// Velocity, m/s.
-    Velocity = 1,
-    /// Acceleration, m/s2.
-    Acceleration = 2,
-    /// Density or a pressure, kg/m3 or Pa.
-    Density = 3,
-}
-
-impl Quantity {
-    /// By number, as a status word holds it.
-    #[must_use]
-    pub fn from_word(word: u32) -> Quantity {
-        match word & 3 {
-            0 => Quantity::Position,
-            1 => Quantity::Velocity,
-            2 => Quantity::Acceleration,
-            _ => Quantity::Density,
-        }
-    }
 }
 
 const AXES: [&str; 3] = ["x", "y", "z"];

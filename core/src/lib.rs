@@ -15,6 +15,11 @@
 #![no_std]
 #![deny(unsafe_code)]
 
+#[cfg(feature = "alloc")]
+extern crate alloc;
+#[cfg(test)]
+extern crate std;
+
 pub mod arithmetic;
 mod clock;
 pub mod error;
@@ -35,8 +40,7 @@ pub mod scene;
 pub mod solver;
 pub mod springs;
 mod start;
-pub mod step;
-pub mod storage;
+mod step;
 pub mod tables;
 pub mod terms;
 
@@ -46,14 +50,14 @@ pub use arithmetic::level::Simd;
 pub use clock::TimeReport;
 pub use error::{SceneError, StepError};
 pub use executor::{Executor, Serial};
-pub use memory::{Memory, Needs};
+#[cfg(feature = "alloc")]
+pub use memory::OwnedMemory;
+pub use memory::{Arena, Memory, Requirements, Storage};
 pub use particle::Particle;
-pub use passes::p24_commit::verdict;
+pub use passes::g_finish::commit::verdict;
 pub use plan::Plan;
+pub use plan::arrays::{Array, Quantity};
+pub use plan::passes::Pass;
 pub use report::AirReport;
 pub use solver::{CorrectionReport, Solver};
 pub use springs::Spring;
-pub use step::Pass;
-pub use storage::{
-    AirStorage, CellPlaces, Extras, FieldStorage, SpringStorage, Storage, SurfaceStorage, TableStorage, TimeStorage,
-};

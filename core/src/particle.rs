@@ -50,7 +50,7 @@ impl Solver<'_> {
                 velocity,
                 density: (deviation + 1.0) * self.parameters().rest_density * rest,
                 pressure,
-                thermal_energy: state.heat.get(slot).map_or(0.0, |heat| heat[0]),
+                thermal_energy: state.internal_energy.get(slot).map_or(0.0, |heat| heat[0]),
                 wall: wall > 0.0 && wall < NOT_THERE,
                 dormant: wall >= NOT_THERE,
                 fluid: fluid as u32,

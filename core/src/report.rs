@@ -3,7 +3,10 @@ use crate::arithmetic::real::vec3;
 use crate::grid::{Cells, Stencil, cell_of, is_limbo};
 use crate::hash::tree_sum;
 use crate::layout::f32x4;
-use crate::passes::{is_dormant, kind, p02_count, p04_scan, p05_place};
+use crate::passes::b_sort::count::count;
+use crate::passes::b_sort::scan::scan;
+use crate::passes::b_sort::scatter::scatter;
+use crate::passes::lanes::{is_dormant, kind};
 use crate::solver::Solver;
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use crate::terms::support::support_close;
@@ -122,7 +125,7 @@ impl Solver<'_> {
         };
         Energies {
             kinetic: sum(&|slot| 0.5 * dot(state.velocity[slot], state.velocity[slot])),
-            internal: sum(&|slot| state.heat.get(slot).map_or(0.0, |heat| f64::from(heat[0]))),
+            internal: sum(&|slot| state.internal_energy.get(slot).map_or(0.0, |heat| f64::from(heat[0]))),
             potential: sum(&|slot| -lift(slot) * dot(p.gravity, state.position[slot])),
             elastic: self.elastic_energy(),
         }
@@ -141,16 +144,16 @@ impl Solver<'_> {
         self.sort_again();
         let state = self.state();
         let scratch = &self.memory.scratch;
-        let cells = Cells { begin: scratch.begin, counter: scratch.counter };
+        let cells = Cells { start: scratch.cell_start, counter: scratch.grid_cell_counters };
         let support = |slot: usize| support_close(&m, &p, state.density_pressure[slot][0]);
-        for cell in 0..cells.begin.len() {
+        for cell in 0..cells.start.len() {
             let members = cells.members(cell);
             if members.is_empty() || is_limbo(&m, &p, cell) {
                 continue;
             }
             let stencil = Stencil::around(&p, layers, cells, cell);
-            for a in &scratch.order[members] {
-                for b in stencil.runs().flat_map(|run| &scratch.order[run]) {
+            for a in &scratch.source_slot[members] {
+                for b in stencil.runs().flat_map(|run| &scratch.source_slot[run]) {
                     let (a, b) = (*a as usize, *b as usize);
                     let (x_a, x_b) = (vec3::<f32>::splat(state.position[a]), vec3::splat(state.position[b]));
                     let x_ab = separation(&m, &p, x_a, x_b);
@@ -177,7 +180,7 @@ impl Solver<'_> {
     pub fn fullest_cell(&mut self) -> u32 {
         let (m, p) = (self.plan().model, *self.parameters());
         self.sort_again();
-        let counts = self.memory.scratch.counter.iter().enumerate();
+        let counts = self.memory.scratch.grid_cell_counters.iter().enumerate();
         counts.filter(|&(cell, _)| !is_limbo(&m, &p, cell)).map(|(_, &count)| count).max().unwrap_or(0)
     }
 
@@ -196,12 +199,12 @@ impl Solver<'_> {
             // one that a wall put beyond the range, where the next step refuses it, shows up in cell 0, near nobody
             *cell = cell_of(&p, *x).unwrap_or(0);
         }
-        p02_count::run(scratch.cell, scratch.rank, scratch.counter);
-        p04_scan::run(scratch.counter, scratch.begin);
-        p05_place::run(scratch.cell, scratch.rank, scratch.begin, scratch.order);
-        let cells = Cells { begin: scratch.begin, counter: scratch.counter };
-        for cell in 0..cells.begin.len() {
-            scratch.order[cells.members(cell)].sort_unstable_by_key(|&slot| state.id[slot as usize]);
+        count(scratch.cell, scratch.rank, scratch.grid_cell_counters);
+        scan(scratch.grid_cell_counters, scratch.cell_start);
+        scatter(scratch.cell, scratch.rank, scratch.cell_start, scratch.source_slot);
+        let cells = Cells { start: scratch.cell_start, counter: scratch.grid_cell_counters };
+        for cell in 0..cells.start.len() {
+            scratch.source_slot[cells.members(cell)].sort_unstable_by_key(|&slot| state.id[slot as usize]);
         }
     }
 }

@@ -5,14 +5,16 @@ use crate::error::{SceneError, StepError};
 use crate::executor::Executor;
 use crate::guided::{first_air, parameters};
 use crate::hash::{full_state_hash, state_hash};
-use crate::layout::{Model, Parameters, Status, f32x4, u32x2, u32x4};
-use crate::memory::{Memory, Needs, State};
-use crate::passes::Setup;
-use crate::passes::p23_look::Seen;
+use crate::layout::{Model, Parameters, Status, f32x4, u32x2};
+use crate::memory::{Arrays, Memory, Requirements, State};
+use crate::passes::context::{Found, Setup, Step};
 use crate::plan::Plan;
+use crate::plan::arrays::{Array, Class};
+use crate::plan::passes::Pass;
+use crate::plan::schedule::{Command, Schedule, evaluation};
 use crate::scene::{Place, Scene, check_count, places};
 use crate::springs::join;
-use crate::step::{self, Pass, Settled, SpringEnds};
+use crate::step;
 use crate::tables::fill_tables;
 
 /// A fluid that can be stepped.
@@ -27,7 +29,7 @@ use crate::tables::fill_tables;
 /// let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, water, block);
 /// scene.gravity = [0.0, -9.81, 0.0];
 /// scene.grid = Grid { cells: [8, 8, 8], ..Grid::default() };
-/// let mut storage = Box::new(Storage::<1000, 512>::new());
+/// let mut storage: Box<Storage<1000, 512>> = Storage::boxed();
 /// let mut solver = Solver::new(&scene, storage.lend())?;
 /// for _ in 0..10 {
 ///     solver.step(&Serial)?;
@@ -40,18 +42,19 @@ use crate::tables::fill_tables;
 #[derive(Debug)]
 pub struct Solver<'m> {
     pub(crate) plan: Plan,
+    schedule: Schedule,
     pub(crate) parameters: Parameters,
     /// The scene's time step, s.
     pub(crate) first_step: f32,
     simd: Simd,
     pub(crate) clock: Clock,
     steps: u64,
-    settled: Settled,
-    total_iterations: u64,
+    correction: CorrectionReport,
     pub(crate) air_refused: u64,
     /// Which of the two states is the fluid; the other is where a step is tried.
     pub(crate) current: usize,
-    pub(crate) memory: Memory<'m>,
+    requirements: Requirements,
+    pub(crate) memory: Arrays<'m>,
 }
 
 /// What the pressure correction came to.
@@ -92,26 +95,27 @@ impl<'m> Solver<'m> {
         if plan != Plan::of(scene) && plan != Plan::everything(scene) {
             return Err(SceneError::PlanOfAnotherScene);
         }
-        let memory = memory.cut(&Needs { particles: count, ..Needs::by_plan(scene, &plan) })?;
+        let requirements = Requirements::by_plan(scene, &plan).for_particles(count);
+        let memory = memory.carve(&requirements)?;
         let parameters =
             Parameters { particle_count: count as u32, first_air: first_air(scene, count), ..parameters(scene) };
         let simd = Simd::detect();
-        let settled = Settled::default();
         let mut solver = Solver {
             plan,
+            schedule: plan.schedule(),
             parameters,
             first_step: scene.time_step,
             simd,
             clock: Clock::default(),
             steps: 0,
-            settled,
-            total_iterations: 0,
+            correction: CorrectionReport::default(),
             air_refused: 0,
             current: 0,
+            requirements,
             memory,
         };
-        fill_tables(&scene.model, scene.dimension.count(), solver.memory.tables);
-        solver.memory.field.fill([0.0; 4]);
+        fill_tables(&scene.model, scene.dimension.count(), solver.memory.given.kernel_tables);
+        solver.memory.given.acceleration_field.fill([0.0; 4]);
         solver.fill(scene, places)?;
         solver.evaluate()?;
         // no spring pulls at the start, so that it does not matter that they are made last
@@ -140,20 +144,23 @@ impl<'m> Solver<'m> {
     /// # Errors
     /// As for [`Solver::step`].
     pub fn step_observed(&mut self, executor: &impl Executor, begins: &mut dyn FnMut(Pass)) -> Result<(), StepError> {
-        let model = self.plan.model;
+        let (model, schedule) = (self.plan.model, self.schedule.clone());
         let (mut parameters, mut clock) = (self.parameters, self.clock);
         loop {
-            let (settled, seen) = self.attempt(executor, &model, &parameters, begins)?;
-            if !clock.after(&model, &mut parameters, seen) {
+            let found = self.attempt(executor, &model, &parameters, &schedule, begins)?;
+            if !clock.after(&model, &mut parameters, found.maxima) {
                 // the state that was tried is left where it is, and another one is tried
                 continue;
             }
-            self.take();
+            self.accept();
             (self.parameters, self.clock) = (parameters, clock);
             self.steps += 1;
-            self.settled = settled;
-            self.total_iterations += u64::from(settled.iterations);
-            self.air_refused += u64::from(settled.refused);
+            self.correction = CorrectionReport {
+                iterations: found.iterations,
+                total_iterations: self.correction.total_iterations + u64::from(found.iterations),
+                residual: found.residual,
+            };
+            self.air_refused += u64::from(found.refused);
             return Ok(());
         }
     }
@@ -166,18 +173,18 @@ impl<'m> Solver<'m> {
     /// Fewer or more nodes than the scene says, or a value that is not finite; the field then stays as it was. Before the first
     /// step also one that makes accelerations that are no numbers; the field then is 0, and the fluid as it was.
     pub fn set_field(&mut self, nodes: &[f32x4]) -> Result<(), SceneError> {
-        let (needed, capacity) = (nodes.len(), self.memory.field.len());
+        let (needed, capacity) = (nodes.len(), self.memory.given.acceleration_field.len());
         if needed != capacity {
             return Err(SceneError::CapacityExceeded { what: "nodes of the field", needed, capacity });
         }
         if let Some(&value) = nodes.as_flattened().iter().find(|x| !x.is_finite()) {
             return Err(SceneError::NotFinite { field: "field", value });
         }
-        self.memory.field.copy_from_slice(nodes);
+        self.memory.given.acceleration_field.copy_from_slice(nodes);
         if self.steps == 0 && needed > 0 {
             // the first step begins with the accelerations at the start
             if let Err(error) = self.evaluate() {
-                self.memory.field.fill([0.0; 4]);
+                self.memory.given.acceleration_field.fill([0.0; 4]);
                 return Err(error.into());
             }
             self.remember();
@@ -185,33 +192,41 @@ impl<'m> Solver<'m> {
         Ok(())
     }
 
-    /// Tries a step, in the state that is not the fluid.
-    pub(crate) fn attempt(
+    /// Evaluates forces in the state that is not the fluid, while time stands still or runs back.
+    pub(crate) fn attempt_evaluation(
         &mut self,
         executor: &impl Executor,
         model: &Model,
         parameters: &Parameters,
+    ) -> Result<Found, StepError> {
+        self.attempt(executor, model, parameters, &evaluation(model), &mut |_| ())
+    }
+
+    /// Tries a step, in the state that is not the fluid.
+    fn attempt(
+        &mut self,
+        executor: &impl Executor,
+        model: &Model,
+        parameters: &Parameters,
+        commands: &[Command],
         begins: &mut dyn FnMut(Pass),
-    ) -> Result<(Settled, Seen), StepError> {
-        let Memory { states: [a, b], slot: _, scratch, springs, tables, field } = &mut self.memory;
-        let [ends, other_ends] = &mut springs.ends;
-        // where lengths at rest change, they trade places as the states do
-        let (old_ends, new_ends): (&[_], &mut [_]) =
-            if self.plan.model.plastic == 1 && self.current == 1 { (other_ends, ends) } else { (ends, other_ends) };
-        let springs = SpringEnds { of: springs.of, old: old_ends, new: new_ends };
+    ) -> Result<Found, StepError> {
+        let Arrays { states: [a, b], scratch, given } = &mut self.memory;
+        let (tables, field) = (&*given.kernel_tables, &*given.acceleration_field);
         let setup = Setup { model, parameters, tables, field, simd: self.simd };
         let (old, new) = if self.current == 0 { (&*a, b) } else { (&*b, a) };
-        // time that stands still, or runs back, has no next density to aim at
-        let iterations = if parameters.time_step > 0.0 { self.plan.iterations() } else { 0 };
-        step::run(setup, executor, begins, (self.steps as u32, iterations), old, new, (scratch, springs))
+        let found = Found::nothing(self.steps as u32);
+        let command = Command::Run(Pass::IntegrateBefore);
+        let mut step = Step { setup, executor, old, new, scratch, given, found, command };
+        step::run(&mut step, commands, begins)?;
+        Ok(step.found)
     }
 
     /// Makes the state that was tried the fluid.
-    pub(crate) fn take(&mut self) {
+    pub(crate) fn accept(&mut self) {
+        let [a, b] = &mut self.memory.states;
+        a.pass_on_constants(b, &self.plan.model);
         self.current = 1 - self.current;
-        for (slot, &id) in self.memory.states[self.current].id.iter().enumerate() {
-            self.memory.slot[id as usize] = slot as u32;
-        }
     }
 
     /// The fluid as it lies in memory, sorted by the cells that its particles had where forces were evaluated: walls, and some
@@ -228,55 +243,67 @@ impl<'m> Solver<'m> {
     /// Slot of each particle in [`Solver::state`], by id.
     #[must_use]
     pub fn slots(&self) -> &[u32] {
-        self.memory.slot
+        self.state().slot_of_id
     }
 
-    /// Ends of springs as they are now: see [`Springs::ends`](crate::memory::Springs::ends).
+    /// Ends of springs as they are now.
     #[must_use]
     pub fn spring_ends(&self) -> &[u32x2] {
-        let plastic = self.plan.model.plastic == 1;
-        self.memory.springs.ends[if plastic { self.current } else { 0 }]
+        self.state().spring_ends
     }
 
-    /// What each particle has of springs, by id: see [`Springs::of`](crate::memory::Springs::of).
+    /// The ends of springs of the state and, where they change, of the other one: to be filled and put back.
+    pub(crate) fn take_spring_ends(&mut self) -> [&'m mut [u32x2]; 2] {
+        let [a, b] = &mut self.memory.states;
+        let (now, other) = if self.current == 0 { (a, b) } else { (b, a) };
+        [now, other].map(|state| core::mem::take(&mut state.spring_ends))
+    }
+
+    pub(crate) fn put_spring_ends(&mut self, [own, others]: [&'m mut [u32x2]; 2]) {
+        let current = self.current;
+        (self.memory.states[current].spring_ends, self.memory.states[1 - current].spring_ends) = (own, others);
+    }
+
+    /// An array of the state, or one that steps only read, as words of four bytes.
     #[must_use]
-    pub fn springs_of(&self) -> &[u32x4] {
-        self.memory.springs.of
+    pub fn words(&self, array: Array) -> &[u32] {
+        if array.class() == Class::Given { self.memory.given.words(array) } else { self.state().words(array) }
     }
 
     /// What the pressure correction came to; all zero with an equation of state.
     #[must_use]
     pub fn correction(&self) -> CorrectionReport {
-        let Settled { iterations, residual, .. } = self.settled;
-        CorrectionReport { iterations, total_iterations: self.total_iterations, residual }
-    }
-
-    /// Kernels as tables; empty where the scene reads none.
-    #[must_use]
-    pub fn tables(&self) -> &[f32] {
-        self.memory.tables
+        self.correction
     }
 
     /// Nodes of the host's field; empty where the scene has none.
     #[must_use]
     pub fn field(&self) -> &[f32x4] {
-        self.memory.field
+        self.memory.given.acceleration_field
     }
 
     /// Hash of all positions and velocities: equal if and, practically, only if every bit is.
     #[must_use]
     pub fn hash(&self) -> u64 {
         let state = self.state();
-        state_hash(self.memory.slot, state.position, state.velocity)
+        state_hash(state.slot_of_id, state.position, state.velocity)
     }
 
     /// Hash of every array of the state, what is remembered of the steps before and the ends of springs included.
     #[must_use]
     pub fn full_hash(&self) -> u64 {
         let s = self.state();
-        let arrays: [&[f32x4]; 8] =
-            [s.position, s.velocity, s.acceleration, s.density_pressure, s.smoothing, s.heat, s.normal, s.history];
-        full_state_hash(self.memory.slot, &arrays, self.spring_ends())
+        let arrays: [&[f32x4]; 8] = [
+            s.position,
+            s.velocity,
+            s.acceleration,
+            s.density_pressure,
+            s.xsph_velocity,
+            s.internal_energy,
+            s.normal,
+            s.history,
+        ];
+        full_state_hash(s.slot_of_id, &arrays, s.spring_ends)
     }
 
     /// Steps that were made.
@@ -304,6 +331,12 @@ impl<'m> Solver<'m> {
     /// Writes what a device's clock goes on from.
     pub fn fill_status(&self, status: &mut Status) {
         self.clock.fill(&self.parameters, status);
+    }
+
+    /// How much memory of which arrays it has.
+    #[must_use]
+    pub fn requirements(&self) -> &Requirements {
+        &self.requirements
     }
 
     /// What a step consists of.

@@ -43,8 +43,8 @@ pub(crate) fn join(solver: &mut Solver<'_>, scene: &Scene) -> Result<(), SceneEr
         let r = crate::arithmetic::real::root(length2(x_ab));
         (a != b && one_fluid && pull(kinds[0], 1.0) > 0.0 && f64::from(r) <= reach).then_some(r)
     };
-    let of = core::mem::take(&mut solver.memory.springs.of);
-    let [ends, other_ends] = core::mem::take(&mut solver.memory.springs.ends);
+    let of = core::mem::take(&mut solver.memory.given.spring_ranges);
+    let [ends, other_ends] = solver.take_spring_ends();
     solver.visit_pairs(|solver, a, b| {
         if distance(solver, a, b).is_some() {
             of[solver.state().id[a] as usize][1] += 1;
@@ -74,15 +74,15 @@ pub(crate) fn join(solver: &mut Solver<'_>, scene: &Scene) -> Result<(), SceneEr
         ends[first as usize..(first + count) as usize].sort_unstable_by_key(|&[other, _]| other);
     }
     other_ends.copy_from_slice(&ends[..other_ends.len()]);
-    solver.memory.springs.of = of;
-    solver.memory.springs.ends = [ends, other_ends];
+    solver.memory.given.spring_ranges = of;
+    solver.put_spring_ends([ends, other_ends]);
     Ok(())
 }
 
 impl Solver<'_> {
     /// The springs that hold, each once.
     pub fn springs(&self) -> impl Iterator<Item = Spring> {
-        (0..).zip(self.springs_of()).flat_map(move |(a, &[first, count, ..])| {
+        (0..).zip(self.memory.given.spring_ranges.iter()).flat_map(move |(a, &[first, count, ..])| {
             let ends = &self.spring_ends()[first as usize..(first + count) as usize];
             let spring = move |&[b, length]: &[u32; 2]| Spring { a, b, rest_length: f32::from_bits(length) };
             ends.iter().map(spring).filter(|spring| spring.a < spring.b && spring.rest_length >= 0.0)
@@ -94,7 +94,7 @@ impl Solver<'_> {
         let state = self.state();
         let slot = |id: u32| self.slots()[id as usize] as usize;
         let position = |id: u32| state.position[slot(id)];
-        energy(self.plan(), self.parameters(), (self.springs_of(), self.spring_ends()), |id| {
+        energy(self.plan(), self.parameters(), (self.memory.given.spring_ranges, self.spring_ends()), |id| {
             (position(id), self.kind(slot(id))[2])
         })
     }

@@ -1,9 +1,10 @@
 //! How a fluid starts: particles into memory, the first accelerations, what an integrator would remember of the steps before.
 use crate::arithmetic::real::vec3;
 use crate::clock::{Clock, set_step};
-use crate::error::{Quantity, SceneError, StepError};
+use crate::error::{SceneError, StepError};
 use crate::executor::Serial;
 use crate::layout::Model;
+use crate::plan::arrays::Quantity;
 use crate::scene::{Dimension, Kind, Place, Scene, kind_of};
 use crate::solver::Solver;
 use crate::terms::integrate::{MODIFIED_VELOCITY_VERLET, has_history, history_turned, is_beeman};
@@ -15,9 +16,9 @@ impl Solver<'_> {
         set_step(&mut parameters, self.first_step);
         let at_rest = self.plan.model.at_rest();
         // with time standing still a step does nothing else
-        let (_, seen) = self.attempt(&Serial, &at_rest, &parameters.at_rest(), &mut |_| ())?;
-        self.take();
-        self.clock = Clock::start(&self.plan.model, &mut parameters, seen);
+        let found = self.attempt_evaluation(&Serial, &at_rest, &parameters.at_rest())?;
+        self.accept();
+        self.clock = Clock::start(&self.plan.model, &mut parameters, found.maxima);
         self.parameters = parameters;
         Ok(())
     }
@@ -32,13 +33,13 @@ impl Solver<'_> {
         let (m, p) = (self.plan.model, self.parameters);
         if is_beeman(&m) {
             let back = Model { integrator: MODIFIED_VELOCITY_VERLET, ..m.at_rest() };
-            let found = self.attempt(&Serial, &back, &p.backwards(), &mut |_| ()).is_ok();
+            let found = self.attempt_evaluation(&Serial, &back, &p.backwards()).is_ok();
             let [a, b] = &mut self.memory.states;
             let (now, before) = if self.current == 0 { (a, b) } else { (b, a) };
             now.history.copy_from_slice(now.acceleration);
             if found {
                 for (slot, &id) in before.id.iter().enumerate() {
-                    now.history[self.memory.slot[id as usize] as usize] = before.acceleration[slot];
+                    now.history[now.slot_of_id[id as usize] as usize] = before.acceleration[slot];
                 }
             }
         } else if has_history(&m) {
@@ -95,7 +96,7 @@ impl Solver<'_> {
             state.velocity[slot] = [u, v, w, place.species as f32];
             state.acceleration[slot] = [0.0; 4];
             state.density_pressure[slot] = [place.deviation, place.pressure, 0.0, 0.0];
-            if let Some(heat) = state.heat.get_mut(slot) {
+            if let Some(heat) = state.internal_energy.get_mut(slot) {
                 let energy = match kind {
                     Some(Kind::Fluid(fluid)) => scene.fluid_of(fluid).thermal_energy,
                     Some(Kind::Dormant) => self.parameters.air_heat,
@@ -104,9 +105,10 @@ impl Solver<'_> {
                 *heat = [energy, 0.0, 0.0, 0.0];
             }
             state.id[slot] = slot as u32;
+            state.slot_of_id[slot] = slot as u32;
         }
-        state.smoothing.fill([0.0; 4]);
-        self.memory.springs.of.fill([0; 4]);
+        state.xsph_velocity.fill([0.0; 4]);
+        self.memory.given.spring_ranges.fill([0; 4]);
         match places.next() {
             Some(_) => {
                 let needed = needed + 1;

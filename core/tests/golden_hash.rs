@@ -3,8 +3,7 @@
 //! The scenes spell out every field (a test sees to it), so that defaults may change without touching a bit here. CI runs this
 //! unoptimised too. A value changes only when the simulation is meant to; say why in the commit.
 use millpond_core::scene::Scene;
-use millpond_core::{AirStorage, CellPlaces, Extras, Serial, Simd, Solver, SpringStorage, Storage, SurfaceStorage};
-use millpond_core::{Memory, TableStorage, TimeStorage};
+use millpond_core::{OwnedMemory, Serial, Simd, Solver};
 
 #[path = "../../tests/bare/src/scene.rs"]
 #[allow(unreachable_pub, reason = "a module of several programs")]
@@ -36,38 +35,9 @@ const GOLDEN: &[(&str, &str, u64, u64)] = golden! {
     "everything": 0x73fe_2ab5_15ec_c756, 0x0353_27cd_79cb_5a92;
 };
 
-const N: usize = 1200;
-const CELLS: usize = 520;
-
-/// Memory for any of the scenes.
-#[derive(Default)]
-struct Pools {
-    storage: Box<Storage<N, CELLS>>,
-    places: Box<CellPlaces<CELLS, 64>>,
-    extras: Box<Extras<N, N, N, N>>,
-    time: Box<TimeStorage<N, N, N>>,
-    surface: Box<SurfaceStorage<N>>,
-    springs: Box<SpringStorage<N, 50_000, 50_000>>,
-    air: Box<AirStorage<N>>,
-    tables: Box<TableStorage>,
-}
-
-impl Pools {
-    fn lend(&mut self) -> Memory<'_> {
-        self.storage
-            .lend_with(&mut self.places)
-            .with_extras(&mut self.extras)
-            .with_time(&mut self.time)
-            .with_surface(&mut self.surface)
-            .with_springs(&mut self.springs)
-            .with_air(&mut self.air)
-            .with_tables(&mut self.tables)
-    }
-}
-
 fn run(scene: &Scene, simd: Simd, steps: u32) -> [String; 2] {
-    let mut pools = Pools::default();
-    let mut solver = Solver::new(scene, pools.lend()).expect("a scene").at_level(simd);
+    let mut memory = OwnedMemory::of(scene);
+    let mut solver = Solver::new(scene, memory.lend()).expect("a scene").at_level(simd);
     (0..steps).for_each(|_| solver.step(&Serial).expect("a step"));
     [solver.hash(), solver.full_hash()].map(|hash| format!("{hash:#018x}"))
 }

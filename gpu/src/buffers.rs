@@ -1,61 +1,27 @@
-//! The arrays on the device: core's bytes, in two states that trade places.
-use crate::bindings::Array;
+//! The arrays on the device: core's bytes, those of the state twice, in two states that trade places.
+use crate::bindings::is_on_device;
 use crate::device::Gpu;
 use crate::error::GpuError;
 use bytemuck::{Pod, Zeroable, cast_slice};
-use millpond_core::Solver;
-use millpond_core::layout::{Parameters, Status, TABLE_WORDS, f32x4};
-use millpond_core::terms::integrate::needs_earlier;
+use millpond_core::layout::{Model, Status, TABLE_WORDS, f32x4};
+use millpond_core::memory::{Counts, Requirements};
+use millpond_core::plan::arrays::{Class, Side};
+use millpond_core::{Array, Solver};
 
-/// What a command is about, where its pass alone does not say it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Role {
-    /// Nothing more.
-    Usual,
-    /// A gather from the first of these to the second.
-    Gather([Array; 2]),
-    /// Forces that are evaluated again, with the velocities ahead.
-    Again,
-}
-
-/// One of the two states.
-#[derive(Debug)]
-pub(crate) struct StateBuffers {
-    pub position: wgpu::Buffer,
-    pub velocity: wgpu::Buffer,
-    pub acceleration: wgpu::Buffer,
-    pub density_pressure: wgpu::Buffer,
-    pub smoothing: wgpu::Buffer,
-    pub heat: wgpu::Buffer,
-    pub normal: wgpu::Buffer,
-    pub history: wgpu::Buffer,
-    pub ends: wgpu::Buffer,
-    pub id: wgpu::Buffer,
-}
+/// Distance of two uniforms that share a buffer: no device asks for more.
+pub(crate) const UNIFORM_STRIDE: u64 = 256;
 
 /// All of them.
 #[derive(Debug)]
 pub(crate) struct Buffers {
     pub parameters: wgpu::Buffer,
     pub tables: wgpu::Buffer,
-    pub field: wgpu::Buffer,
     pub head: wgpu::Buffer,
-    pub states: [StateBuffers; 2],
-    cell: wgpu::Buffer,
-    rank: wgpu::Buffer,
-    begin: wgpu::Buffer,
-    order: wgpu::Buffer,
-    grid_cells: wgpu::Buffer,
-    previous: wgpu::Buffer,
-    free: wgpu::Buffer,
-    earlier: wgpu::Buffer,
-    ahead: wgpu::Buffer,
-    slot_of: wgpu::Buffer,
-    bare: wgpu::Buffer,
-    birth: wgpu::Buffer,
-    springs_of: wgpu::Buffer,
-    plastic: bool,
-    corrects_pressure: bool,
+    /// The number of each array, for commands that say which one they are about.
+    pub subjects: wgpu::Buffer,
+    /// By array, in no, one or two copies.
+    arrays: Vec<Vec<wgpu::Buffer>>,
+    requirements: Requirements,
 }
 
 /// Makes buffers; an empty array gets one entry, since a binding cannot be empty.
@@ -96,131 +62,67 @@ impl Buffers {
     pub(crate) fn of(gpu: &Gpu, solver: &Solver<'_>) -> Result<Buffers, GpuError> {
         let storage = Maker::storage(gpu);
         let uniform = Maker { gpu, usage: wgpu::BufferUsages::UNIFORM };
-        let state = solver.state();
-        let parameters: &Parameters = solver.parameters();
-        let (n, cells) = (state.id.len(), parameters.cells[3] as usize);
-        let places = cells * solver.plan().model.cell_places as usize;
-        let words = |count: usize| count * size_of::<u32>();
-        let vectors = n * size_of::<f32x4>();
-        let m = &solver.plan().model;
-        let if_needed = |needed: bool| if needed { vectors } else { 0 };
+        let requirements = *solver.requirements();
+        let make = |&array: &Array| -> Result<Vec<wgpu::Buffer>, GpuError> {
+            if !is_on_device(array) {
+                return Ok(Vec::new());
+            }
+            let bytes = requirements.entries(array) * array.words() * size_of::<u32>();
+            let copies = requirements.copies(array);
+            let buffers = (0..copies).map(|_| storage.room(array.name(), bytes)).collect::<Result<Vec<_>, _>>()?;
+            if let (Some(first), Class::State | Class::Index | Class::Given) = (buffers.first(), array.class()) {
+                gpu.queue.write_buffer(first, 0, cast_slice(solver.words(array)));
+            }
+            Ok(buffers)
+        };
         // what became of the air so far goes on being counted
         let air = solver.air();
         let refused = air.refused.min(u64::from(u32::MAX)) as u32;
         let mut status = Status { air_alive: air.alive, air_refused: refused, ..Status::fine(solver.steps() as u32) };
         solver.fill_status(&mut status);
-        let queue = if m.air == 1 { 2 * n - parameters.first_air as usize } else { 0 };
-        let head = storage.room("head", size_of::<Status>() + words(cells))?;
+        let counters = requirements.entries(Array::grid_cell_counters) * size_of::<u32>();
+        let head = storage.room("head", size_of::<Status>() + counters)?;
         gpu.queue.write_buffer(&head, 0, bytemuck::bytes_of(&status));
-        let mut tables = [0.0; TABLE_WORDS];
-        tables[..solver.tables().len()].copy_from_slice(solver.tables());
+        let mut tables = [0; TABLE_WORDS];
+        let own = solver.words(Array::kernel_tables);
+        tables[..own.len()].copy_from_slice(own);
+        let stride = UNIFORM_STRIDE as usize / size_of::<u32>();
+        let subjects: Vec<u32> =
+            (0..Array::COUNT * stride).map(|i| if i % stride == 0 { i / stride } else { 0 } as u32).collect();
         Ok(Buffers {
-            parameters: uniform.filled("parameters", &[*parameters])?,
+            parameters: uniform.filled("parameters", &[*solver.parameters()])?,
             tables: uniform.filled("tables", &tables)?,
-            field: storage.filled("field", solver.field())?,
             head,
-            states: [
-                StateBuffers {
-                    position: storage.filled("position", state.position)?,
-                    velocity: storage.filled("velocity", state.velocity)?,
-                    acceleration: storage.filled("acceleration", state.acceleration)?,
-                    density_pressure: storage.filled("density_pressure", state.density_pressure)?,
-                    smoothing: storage.filled("smoothing", state.smoothing)?,
-                    heat: storage.filled("heat", state.heat)?,
-                    normal: storage.filled("normal", state.normal)?,
-                    history: storage.filled("history", state.history)?,
-                    ends: storage.filled("spring ends", solver.spring_ends())?,
-                    id: storage.filled("id", state.id)?,
-                },
-                StateBuffers {
-                    position: storage.room("position", vectors)?,
-                    velocity: storage.room("velocity", vectors)?,
-                    acceleration: storage.room("acceleration", vectors)?,
-                    density_pressure: storage.room("density_pressure", vectors)?,
-                    smoothing: storage.room("smoothing", size_of_val(state.smoothing))?,
-                    heat: storage.room("heat", size_of_val(state.heat))?,
-                    normal: storage.room("normal", size_of_val(state.normal))?,
-                    history: storage.room("history", size_of_val(state.history))?,
-                    ends: storage.filled("spring ends", if m.plastic == 1 { solver.spring_ends() } else { &[] })?,
-                    id: storage.room("id", words(n))?,
-                },
-            ],
-            previous: storage.room("previous", if_needed(m.needs_previous()))?,
-            free: storage.room("free", if_needed(m.corrects_pressure()))?,
-            earlier: storage.room("earlier", if_needed(needs_earlier(m)))?,
-            ahead: storage.room("ahead", if_needed(m.foresees()))?,
-            slot_of: storage.room("slot_of", words(if m.springs == 1 || m.air == 1 { n } else { 0 }))?,
-            bare: storage.room("bare", if_needed(m.air == 1))?,
-            birth: storage.room("birth", words(queue))?,
-            springs_of: storage.filled("springs", solver.springs_of())?,
-            plastic: m.plastic == 1,
-            corrects_pressure: m.corrects_pressure(),
-            cell: storage.room("cell", words(n))?,
-            rank: storage.room("rank", words(n))?,
-            begin: storage.room("begin", words(cells))?,
-            order: storage.room("order", words(n))?,
-            grid_cells: storage.room("grid_cells", words(places))?,
+            subjects: uniform.filled("subjects", &subjects)?,
+            arrays: Array::ALL.iter().map(make).collect::<Result<Vec<_>, _>>()?,
+            requirements,
         })
     }
 
-    /// The buffer of an array when state `old` is the old one, in this role.
-    pub(crate) fn array(&self, array: Array, old: usize, role: Role) -> &wgpu::Buffer {
-        let (from, to) = (&self.states[old], &self.states[1 - old]);
-        match array {
-            Array::Head => &self.head,
-            Array::OldPosition => &from.position,
-            Array::OldVelocity => &from.velocity,
-            Array::OldAcceleration => &from.acceleration,
-            Array::OldDensityPressure => &from.density_pressure,
-            Array::OldSmoothing => &from.smoothing,
-            Array::OldHeat => &from.heat,
-            Array::OldId => &from.id,
-            Array::NewPosition => &to.position,
-            Array::NewVelocity if role == Role::Again => &self.ahead,
-            Array::NewVelocity => &to.velocity,
-            Array::NewDensityPressure => &to.density_pressure,
-            Array::NewSmoothing => &to.smoothing,
-            Array::NewHeat => &to.heat,
-            Array::NewNormal => &to.normal,
-            Array::NewId => &to.id,
-            Array::OldHistory => &from.history,
-            Array::NewHistory => &to.history,
-            Array::Earlier => &self.earlier,
-            Array::Ahead => &self.ahead,
-            Array::SlotOf => &self.slot_of,
-            Array::Bare => &self.bare,
-            Array::Birth => &self.birth,
-            Array::SpringsOf => &self.springs_of,
-            // lengths at rest that do not change stay in the first
-            Array::OldEnds => {
-                if self.plastic {
-                    &from.ends
-                } else {
-                    &self.states[0].ends
-                }
-            }
-            Array::NewEnds => {
-                if self.plastic {
-                    &to.ends
-                } else {
-                    &self.states[1].ends
-                }
-            }
-            Array::Previous => &self.previous,
-            Array::Free => &self.free,
-            Array::ForceOut if self.corrects_pressure => &self.free,
-            Array::NewAcceleration | Array::ForceOut => &to.acceleration,
-            Array::FieldNodes => &self.field,
-            Array::Cell => &self.cell,
-            Array::Rank => &self.rank,
-            Array::Begin => &self.begin,
-            Array::Order => &self.order,
-            Array::GridCells => &self.grid_cells,
-            Array::GatherFrom | Array::GatherTo => {
-                let Role::Gather([from, to]) = role else { unreachable!("only a gather binds these") };
-                self.array(if array == Array::GatherFrom { from } else { to }, old, Role::Usual)
-            }
-        }
+    /// The buffer of an array when state `old` is the old one. One that a scene never changes is its old one and its new one.
+    pub(crate) fn array(&self, array: Array, side: Side, old: usize) -> &wgpu::Buffer {
+        let copies = &self.arrays[array as usize];
+        let copy = match side {
+            Side::Old => old,
+            Side::New => 1 - old,
+            Side::Only => 0,
+        };
+        copies.get(copy).unwrap_or_else(|| &copies[0])
+    }
+
+    /// What there is how many of.
+    pub(crate) fn counts(&self) -> &Counts {
+        &self.requirements.counts
+    }
+
+    /// Words of an array.
+    pub(crate) fn words(&self, array: Array) -> usize {
+        self.requirements.entries(array) * array.words()
+    }
+
+    /// The model that says which arrays there are.
+    pub(crate) fn model(&self) -> &Model {
+        self.requirements.model()
     }
 }
 

@@ -1,19 +1,22 @@
-//! A step as commands: for each pass of the plan a pipeline, its bind groups for both directions, its work groups.
-use crate::bindings::{Access, Array, Threads, UNIFORMS, arrays, threads, workgroup};
-use crate::buffers::{Buffers, Role};
+//! A step as the device is told of it: for each command of the schedule a pipeline, its bind groups for both directions, its work groups.
+use crate::bindings::{Declared, UNIFORMS, bound, declared, workgroup};
+use crate::buffers::{Buffers, UNIFORM_STRIDE};
 use crate::device::Gpu;
 use crate::error::GpuError;
 use crate::program::program;
-use millpond_core::layout::WORKGROUP;
-use millpond_core::terms::integrate::{has_history, needs_earlier};
-use millpond_core::{Pass, Plan};
+use millpond_core::layout::{Model, WORKGROUP};
+use millpond_core::plan::arrays::Side;
+use millpond_core::plan::passes::{Access, Bound, Threads};
+use millpond_core::plan::schedule::Command;
+use millpond_core::{Array, Pass, Plan};
+use std::collections::BTreeMap;
 
 /// Most work groups along one dimension of a dispatch (WebGPU's default limit).
 const MOST_GROUPS: u32 = 65_535;
 
-/// What one pass does each step.
+/// One dispatch.
 #[derive(Clone, Debug)]
-pub(crate) struct Command {
+pub(crate) struct Dispatch {
     pass: Pass,
     pipeline: wgpu::ComputePipeline,
     /// With state 0, and with state 1, as the old one.
@@ -21,85 +24,115 @@ pub(crate) struct Command {
     size: [u32; 2],
 }
 
-/// What the gather pass moves: from where the moved particles wait to where they belong, and what else a plan needs of the
-/// step before.
-fn gathered(plan: &Plan) -> Vec<Role> {
-    let m = &plan.model;
-    let all = [
-        (true, [Array::NewDensityPressure, Array::NewPosition]),
-        (true, [Array::NewAcceleration, Array::NewVelocity]),
-        (m.needs_previous(), [Array::OldDensityPressure, Array::Previous]),
-        (m.thermal_energy == 1, [Array::OldHeat, Array::NewHeat]),
-        (has_history(m), [Array::OldHistory, Array::NewHistory]),
-        (needs_earlier(m), [Array::OldAcceleration, Array::Earlier]),
-    ];
-    all.into_iter().filter(|(needed, _)| *needed).map(|(_, moved)| Role::Gather(moved)).collect()
+/// Makes dispatches of commands; a pass that runs more than once has one pipeline.
+struct Recorder<'g> {
+    gpu: &'g Gpu,
+    buffers: &'g Buffers,
+    model: Model,
+    particles: u32,
+    pipelines: BTreeMap<usize, (wgpu::BindGroupLayout, wgpu::ComputePipeline)>,
 }
 
-/// Passes that make a force, which those that are evaluated again go through once more. What springs give way by is written
-/// again then, and is the same: it follows from places alone.
-fn is_force(pass: Pass) -> bool {
-    matches!(pass, Pass::Force | Pass::Tension | Pass::Springs)
+/// The dispatches of a step. All repetitions of an iteration are among them; on the device those after the last needed one do nothing.
+pub(crate) fn dispatches(gpu: &Gpu, plan: &Plan, buffers: &Buffers, particles: u32) -> Result<Vec<Dispatch>, GpuError> {
+    let pipelines = BTreeMap::new();
+    let mut recorder = Recorder { gpu, buffers, model: plan.model, particles, pipelines };
+    let mut dispatches = Vec::new();
+    recorder.add(&plan.schedule(), &mut dispatches)?;
+    Ok(dispatches)
 }
 
-/// The commands of a step.
-pub(crate) fn commands(gpu: &Gpu, plan: &Plan, buffers: &Buffers, particles: u32) -> Result<Vec<Command>, GpuError> {
-    let mut commands = Vec::new();
-    let mut again = Vec::new();
-    for pass in plan.passes() {
-        let (layout, pipeline) = pipeline(gpu, pass, plan)?;
-        let command = |role: Role| {
-            let groups = [0, 1].map(|old| bind(gpu, pass, &layout, buffers, old, role));
-            Command { pass, pipeline: pipeline.clone(), groups, size: size(pass, particles) }
+impl Recorder<'_> {
+    fn add(&mut self, commands: &[Command], out: &mut Vec<Dispatch>) -> Result<(), GpuError> {
+        let mut rest = commands.iter();
+        while let Some(command) = rest.next() {
+            if let Command::Repeat { commands: count, most } = command {
+                let (body, after) = rest.as_slice().split_at((*count).into());
+                let mut repeated = Vec::new();
+                self.add(body, &mut repeated)?;
+                (0..*most).for_each(|_| out.extend_from_slice(&repeated));
+                rest = after.iter();
+            } else if let Some(pass) = command.pass().filter(|pass| pass.threads() != Threads::Host) {
+                out.push(self.dispatch(*command, pass)?);
+            }
+        }
+        Ok(())
+    }
+
+    fn dispatch(&mut self, command: Command, pass: Pass) -> Result<Dispatch, GpuError> {
+        let (layout, pipeline) = match self.pipelines.get(&(pass as usize)) {
+            Some(known) => known.clone(),
+            None => {
+                let made = pipeline(self.gpu, pass, &self.model)?;
+                self.pipelines.insert(pass as usize, made.clone());
+                made
+            }
         };
-        if pass == Pass::Coat || pass == Pass::IntegrateAfter {
-            commands.append(&mut again);
-        }
-        if pass == Pass::Gather {
-            commands.extend(gathered(plan).into_iter().map(command));
-        } else {
-            commands.push(command(Role::Usual));
-        }
-        if plan.model.reevaluates == 1 && is_force(pass) {
-            again.push(command(Role::Again));
-        }
+        let groups = [0, 1].map(|old| {
+            let resources = self.resources(command, pass, old);
+            bind_group(self.gpu, pass.name(), &layout, resources)
+        });
+        Ok(Dispatch { pass, pipeline, groups, size: size(pass, self.particles) })
     }
-    Ok(iterated(&commands, plan.iterations()))
-}
 
-/// The same commands with those of an iteration of pressure repeated, its force once more at the end. All are recorded; on
-/// the device those after the last needed one do nothing.
-fn iterated(commands: &[Command], iterations: u32) -> Vec<Command> {
-    let is_iterated =
-        |c: &&Command| matches!(c.pass, Pass::PressureForce | Pass::PressureCorrect | Pass::PressureSettle);
-    let first = commands.iter().position(|c| is_iterated(&c)).unwrap_or(commands.len());
-    let (before, rest) = commands.split_at(first);
-    let (iteration, after) = rest.split_at(rest.iter().take_while(is_iterated).count());
-    let mut all = before.to_vec();
-    for _ in 0..iterations {
-        all.extend_from_slice(iteration);
+    /// What a command binds when state `old` is the old one.
+    fn resources(&self, command: Command, pass: Pass, old: usize) -> Vec<wgpu::BindingResource<'_>> {
+        let Buffers { parameters, tables, head, .. } = self.buffers;
+        let array = |array: Array, side: Side| self.buffers.array(array, side, old).as_entire_binding();
+        let force = if self.model.corrects_pressure() {
+            (Array::non_pressure_acceleration, Side::Only)
+        } else {
+            (Array::acceleration, Side::New)
+        };
+        let again = matches!(command, Command::RunAgain(_));
+        let mut all: Vec<_> = [parameters, tables, head].map(wgpu::Buffer::as_entire_binding).into();
+        all.extend(bound(pass, &self.model).map(|binding| match binding.bound {
+            Bound::Force if again => array(Array::acceleration, Side::New),
+            Bound::Force => array(force.0, force.1),
+            Bound::Copy(Side::New) if again && binding.array == Array::velocity => {
+                array(Array::end_velocity, Side::Only)
+            }
+            Bound::Copy(side) => array(binding.array, side),
+        }));
+        match command {
+            Command::Gather { from: (from, side), to } => {
+                let to_side = if self.model_copies(to) > 1 { Side::New } else { Side::Only };
+                all.extend([array(from, side), array(to, to_side)]);
+            }
+            Command::Validate(checked) => {
+                let subject = wgpu::BufferBinding {
+                    buffer: &self.buffers.subjects,
+                    offset: checked as u64 * UNIFORM_STRIDE,
+                    size: std::num::NonZeroU64::new(16),
+                };
+                all.extend([array(checked, Side::New), wgpu::BindingResource::Buffer(subject)]);
+            }
+            _ => {}
+        }
+        all
     }
-    all.extend(iteration.first().cloned());
-    all.extend_from_slice(after);
-    all
+
+    fn model_copies(&self, array: Array) -> usize {
+        array.copies(&self.model)
+    }
 }
 
 /// Records one step from state `old`.
-pub(crate) fn record(commands: &[Command], encoder: &mut wgpu::CommandEncoder, old: usize) {
-    for command in commands {
-        let label = Some(command.pass.name());
+pub(crate) fn record(dispatches: &[Dispatch], encoder: &mut wgpu::CommandEncoder, old: usize) {
+    for dispatch in dispatches {
+        let label = Some(dispatch.pass.name());
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label, timestamp_writes: None });
-        pass.set_pipeline(&command.pipeline);
-        pass.set_bind_group(0, &command.groups[old], &[]);
-        pass.dispatch_workgroups(command.size[0], command.size[1], 1);
+        pass.set_pipeline(&dispatch.pipeline);
+        pass.set_bind_group(0, &dispatch.groups[old], &[]);
+        pass.dispatch_workgroups(dispatch.size[0], dispatch.size[1], 1);
     }
 }
 
 /// Work groups of a pass, in rows.
 fn size(pass: Pass, particles: u32) -> [u32; 2] {
-    let groups = match threads(pass) {
+    let groups = match pass.threads() {
         Threads::Particles => particles.div_ceil(workgroup(pass)),
-        Threads::OneGroup => 1,
+        Threads::Group | Threads::Host => 1,
     };
     let rows = groups.div_ceil(MOST_GROUPS).max(1);
     [groups.div_ceil(rows), rows]
@@ -116,7 +149,7 @@ pub(crate) fn dispatch_once(
     use wgpu::BufferBindingType::Storage;
     let kinds = [Storage { read_only: true }, Storage { read_only: false }];
     let (layout, pipeline) = make_pipeline(gpu, label, wgsl, WORKGROUP, &kinds)?;
-    let bind = bind_group(gpu, label, &layout, &[from, to]);
+    let bind = bind_group(gpu, label, &layout, [from, to].map(wgpu::Buffer::as_entire_binding).into());
     let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
     pass.set_pipeline(&pipeline);
@@ -128,12 +161,14 @@ pub(crate) fn dispatch_once(
 }
 
 /// Pipeline of a pass, with the layout of its bindings.
-fn pipeline(gpu: &Gpu, pass: Pass, plan: &Plan) -> Result<(wgpu::BindGroupLayout, wgpu::ComputePipeline), GpuError> {
-    let storage =
-        |(_, access): &(Array, Access)| wgpu::BufferBindingType::Storage { read_only: *access == Access::Read };
+fn pipeline(gpu: &Gpu, pass: Pass, model: &Model) -> Result<(wgpu::BindGroupLayout, wgpu::ComputePipeline), GpuError> {
+    let kind = |declared: &Declared| match declared.access {
+        Some(access) => wgpu::BufferBindingType::Storage { read_only: access == Access::Read },
+        None => wgpu::BufferBindingType::Uniform,
+    };
     let mut kinds = vec![wgpu::BufferBindingType::Uniform; UNIFORMS as usize];
-    kinds.extend(arrays(pass).iter().map(storage));
-    make_pipeline(gpu, pass.name(), &program(pass, &plan.model, gpu.words), workgroup(pass), &kinds)
+    kinds.extend(declared(pass, model).iter().map(kind));
+    make_pipeline(gpu, pass.name(), &program(pass, model, gpu.words), workgroup(pass), &kinds)
 }
 
 /// Pipeline of a complete program whose bindings 0, 1, 2 ... are buffers of these kinds.
@@ -170,25 +205,13 @@ fn make_pipeline(
     Ok((layout, pipeline))
 }
 
-/// The arrays of a pass when state `old` is the old one.
-fn bind(
+fn bind_group(
     gpu: &Gpu,
-    pass: Pass,
+    label: &str,
     layout: &wgpu::BindGroupLayout,
-    buffers: &Buffers,
-    old: usize,
-    role: Role,
+    resources: Vec<wgpu::BindingResource<'_>>,
 ) -> wgpu::BindGroup {
-    let mut bound = vec![&buffers.parameters, &buffers.tables];
-    bound.extend(arrays(pass).iter().map(|(array, _)| buffers.array(*array, old, role)));
-    bind_group(gpu, pass.name(), layout, &bound)
-}
-
-fn bind_group(gpu: &Gpu, label: &str, layout: &wgpu::BindGroupLayout, buffers: &[&wgpu::Buffer]) -> wgpu::BindGroup {
-    let entries: Vec<_> = buffers
-        .iter()
-        .enumerate()
-        .map(|(i, buffer)| wgpu::BindGroupEntry { binding: i as u32, resource: buffer.as_entire_binding() })
-        .collect();
+    let entry = |(i, resource)| wgpu::BindGroupEntry { binding: i as u32, resource };
+    let entries: Vec<_> = resources.into_iter().enumerate().map(entry).collect();
     gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some(label), layout, entries: &entries })
 }

@@ -1,8 +1,8 @@
 //! The complete WGSL of a pass: prelude, layout, choices, terms, arrays, loop, entry point.
-use crate::bindings::{declarations, workgroup};
+use crate::bindings::{declarations, reads_pairs, workgroup};
 use crate::text::wgsl_of;
 use millpond_core::Pass;
-use millpond_core::layout::{Model, PLANES, Parameters, SPECIES, TABLE_ENTRIES, TABLE_WORDS};
+use millpond_core::layout::{Model, PLANES, Parameters, QUANTITIES_OF_ID, SPECIES, TABLE_ENTRIES, TABLE_WORDS};
 use millpond_core::terms::texts;
 
 /// Where division and root come from.
@@ -27,42 +27,33 @@ impl Words {
     }
 }
 
-/// The loop of a pass, as written.
-#[must_use]
-fn loop_text(pass: Pass) -> &'static str {
-    match pass {
-        Pass::IntegrateBefore => include_str!("shaders/p01_integrate_before.wgsl"),
-        Pass::Count => include_str!("shaders/p02_count.wgsl"),
-        Pass::CellLists => include_str!("shaders/p03_cell_lists.wgsl"),
-        Pass::Scan => include_str!("shaders/p04_scan.wgsl"),
-        Pass::Place => include_str!("shaders/p05_place.wgsl"),
-        Pass::Order => include_str!("shaders/p06_order.wgsl"),
-        Pass::Gather => include_str!("shaders/p07_gather.wgsl"),
-        Pass::Support => include_str!("shaders/p08_support.wgsl"),
-        Pass::Density => include_str!("shaders/p09_density.wgsl"),
-        Pass::Force => include_str!("shaders/p10_force.wgsl"),
-        Pass::Normals => include_str!("shaders/p11_normals.wgsl"),
-        Pass::Tension => include_str!("shaders/p12_tension.wgsl"),
-        Pass::Springs => include_str!("shaders/p13_springs.wgsl"),
-        Pass::PressureForce => include_str!("shaders/p14_pressure_force.wgsl"),
-        Pass::PressureCorrect => include_str!("shaders/p15_pressure_correct.wgsl"),
-        Pass::PressureSettle => include_str!("shaders/p16_pressure_settle.wgsl"),
-        Pass::Foresee => include_str!("shaders/p17_foresee.wgsl"),
-        Pass::Heat => include_str!("shaders/p18_heat.wgsl"),
-        Pass::Smooth => include_str!("shaders/p19_smooth.wgsl"),
-        Pass::Coat => include_str!("shaders/p20_coat.wgsl"),
-        Pass::IntegrateAfter => include_str!("shaders/p21_integrate_after.wgsl"),
-        Pass::Air => include_str!("shaders/p22_air.wgsl"),
-        Pass::Look => include_str!("shaders/p23_look.wgsl"),
-        Pass::Commit => include_str!("shaders/p24_commit.wgsl"),
-    }
+macro_rules! loop_texts {
+    ($($(#[$doc:meta])* $pass:ident: $folder:ident / $file:ident, $threads:ident, $status:ident, if $runs:expr,
+        [$($access:ident $array:ident $(@ $bound:ident)?),*];)*) => {
+        /// The loop of a pass, as written; none for a pass of the host's.
+        #[must_use]
+        fn loop_text(pass: Pass) -> &'static str {
+            match pass { $(Pass::$pass => loop_text_of!($threads $folder $file),)* }
+        }
+    };
 }
+
+macro_rules! loop_text_of {
+    (host $folder:ident $file:ident) => {
+        "fn pass_body(thread: u32) {}\n"
+    };
+    ($threads:ident $folder:ident $file:ident) => {
+        include_str!(concat!("shaders/", stringify!($folder), "/", stringify!($file), ".wgsl"))
+    };
+}
+millpond_core::with_passes!(loop_texts);
 
 /// The vocabulary and all terms, without a pass: what a test of a single term needs.
 #[must_use]
 pub fn library(model: &Model, words: Words) -> String {
     let mut out = words.prelude();
     out += &format!("alias Planes = array<f32x4, {PLANES}>;\nalias Kinds = array<f32x4, {SPECIES}>;\n");
+    out += &format!("const QUANTITIES_OF_ID: u32 = {QUANTITIES_OF_ID}u;\n");
     out += &format!("const SPECIES: u32 = {SPECIES}u;\nconst TABLE_ENTRIES: u32 = {TABLE_ENTRIES}u;\n");
     out += Parameters::WGSL;
     out += "@group(0) @binding(0) var<uniform> p: Parameters;\n";
@@ -83,12 +74,11 @@ pub fn library(model: &Model, words: Words) -> String {
 pub fn program(pass: Pass, model: &Model, words: Words) -> String {
     let mut out = library(model, words);
     out += include_str!("shaders/grid.wgsl");
-    let pairs = [Pass::Force, Pass::Normals, Pass::Tension, Pass::PressureForce, Pass::Heat, Pass::Smooth];
-    if pairs.contains(&pass) {
+    if reads_pairs(pass) {
         out += include_str!("shaders/local.wgsl");
     }
     out += &format!("const WORKGROUP: u32 = {}u;\n", workgroup(pass));
-    out += &declarations(pass);
+    out += &declarations(pass, model);
     out += loop_text(pass);
     // one row of groups holds fewer threads than a large scene has particles, so there may be several rows
     out += "@compute @workgroup_size(WORKGROUP) fn main(\n  \

@@ -2,11 +2,12 @@
 use crate::buffers::{Buffers, read};
 use crate::device::Gpu;
 use crate::error::GpuError;
-use crate::pipelines::{Command, commands, record};
+use crate::pipelines::{Dispatch, dispatches, record};
 use core::mem::offset_of;
 use millpond_core::hash::state_hash;
-use millpond_core::layout::{Parameters, Status, f32x4, u32x2};
-use millpond_core::{AirReport, CorrectionReport, SceneError, Solver, TimeReport, verdict};
+use millpond_core::layout::{Parameters, Status, f32x4};
+use millpond_core::plan::arrays::{Class, Side};
+use millpond_core::{AirReport, Array, CorrectionReport, SceneError, Solver, TimeReport, verdict};
 
 /// Steps that are recorded before the status is read: a failed step is found at most this late, and costs nothing more.
 pub const STEPS_PER_STATUS: u32 = 64;
@@ -16,13 +17,7 @@ pub const STEPS_PER_STATUS: u32 = 64;
 pub struct GpuSolver {
     gpu: Gpu,
     buffers: Buffers,
-    commands: Vec<Command>,
-    particles: usize,
-    nodes: usize,
-    keeps_heat: bool,
-    finds_normals: bool,
-    spring_ends: usize,
-    plastic: bool,
+    dispatches: Vec<Dispatch>,
     cell_places: u32,
     adaptive: bool,
     time_step: f32,
@@ -33,44 +28,46 @@ pub struct GpuSolver {
     attempts: u64,
 }
 
-/// A state that was read back, in the slots of the device.
-#[derive(Clone, Debug, Default)]
+/// A state that was read back, array by array, in the slots of the device.
+#[derive(Clone, Debug)]
 pub struct Readback {
-    /// Position, m.
-    pub position: Vec<f32x4>,
-    /// Velocity, m/s.
-    pub velocity: Vec<f32x4>,
-    /// Acceleration, m/s2.
-    pub acceleration: Vec<f32x4>,
-    /// [`QUANTITIES`](millpond_core::layout::QUANTITIES) of each particle.
-    pub density_pressure: Vec<f32x4>,
-    /// Thermal energy, J/kg, and its rate, W/kg; empty where a scene keeps no account of it.
-    pub heat: Vec<f32x4>,
-    /// Normals of surfaces, 1/m, and their curvature by the colour; empty where a scene finds none.
-    pub normal: Vec<f32x4>,
-    /// Ends of springs, as the CPU solver's; empty where a scene has none.
-    pub spring_ends: Vec<u32x2>,
-    /// Which particle stands in a slot.
-    pub id: Vec<u32>,
+    arrays: Vec<Vec<u32>>,
 }
 
 impl Readback {
+    /// An array of the state as words of four bytes; empty where the scene does without.
+    #[must_use]
+    pub fn words(&self, array: Array) -> &[u32] {
+        &self.arrays[array as usize]
+    }
+
+    /// The same of an array of vectors.
+    fn vectors(&self, array: Array) -> &[f32x4] {
+        bytemuck::cast_slice(self.words(array))
+    }
+
+    /// Position, m.
+    #[must_use]
+    pub fn position(&self) -> &[f32x4] {
+        self.vectors(Array::position)
+    }
+
+    /// Velocity, m/s.
+    #[must_use]
+    pub fn velocity(&self) -> &[f32x4] {
+        self.vectors(Array::velocity)
+    }
+
     /// Slot of each particle, by id.
     #[must_use]
-    pub fn slots(&self) -> Vec<u32> {
-        let mut slots = vec![0; self.id.len()];
-        for (slot, &id) in self.id.iter().enumerate() {
-            if let Some(place) = slots.get_mut(id as usize) {
-                *place = slot as u32;
-            }
-        }
-        slots
+    pub fn slots(&self) -> &[u32] {
+        self.words(Array::slot_of_id)
     }
 
     /// The state hash, as core computes it.
     #[must_use]
     pub fn hash(&self) -> u64 {
-        state_hash(&self.slots(), &self.position, &self.velocity)
+        state_hash(self.slots(), self.position(), self.velocity())
     }
 }
 
@@ -82,21 +79,15 @@ impl GpuSolver {
     pub fn new(gpu: &Gpu, solver: &Solver<'_>) -> Result<GpuSolver, GpuError> {
         let parameters = solver.parameters();
         let plan = solver.plan();
-        let (buffers, commands) = gpu.caught(|| {
+        let (buffers, dispatches) = gpu.caught(|| {
             let buffers = Buffers::of(gpu, solver)?;
-            let commands = commands(gpu, plan, &buffers, parameters.particle_count)?;
-            Ok((buffers, commands))
+            let dispatches = dispatches(gpu, plan, &buffers, parameters.particle_count)?;
+            Ok((buffers, dispatches))
         })?;
         Ok(GpuSolver {
             gpu: gpu.clone(),
             buffers,
-            commands,
-            particles: parameters.particle_count as usize,
-            nodes: solver.field().len(),
-            keeps_heat: plan.model.thermal_energy == 1,
-            finds_normals: plan.model.normals == 1,
-            spring_ends: solver.spring_ends().len(),
-            plastic: plan.model.plastic == 1,
+            dispatches,
             cell_places: plan.model.cell_places,
             adaptive: plan.model.adaptive == 1,
             time_step: parameters.time_step,
@@ -141,7 +132,7 @@ impl GpuSolver {
             let bytes = 3 * size_of::<f32>();
             encoder.copy_buffer_to_buffer(head, from as u64, parameters, to as u64, Some(bytes as u64));
         }
-        record(&self.commands, encoder, old);
+        record(&self.dispatches, encoder, old);
     }
 
     /// Which state is the fluid: they trade places at each step that counts.
@@ -153,13 +144,13 @@ impl GpuSolver {
     /// ([`Gpu::with_device`]). Another buffer after each step that counts, one of two.
     #[must_use]
     pub fn position_buffer(&self) -> &wgpu::Buffer {
-        &self.buffers.states[self.current()].position
+        self.buffers.array(Array::position, Side::Old, self.current())
     }
 
     /// The velocities, likewise.
     #[must_use]
     pub fn velocity_buffer(&self) -> &wgpu::Buffer {
-        &self.buffers.states[self.current()].velocity
+        self.buffers.array(Array::velocity, Side::Old, self.current())
     }
 
     /// The host's field from now on, as [`Solver::set_field`] takes it.
@@ -167,14 +158,17 @@ impl GpuSolver {
     /// # Errors
     /// Fewer or more nodes than the scene says, or a value that is not finite; the field then stays as it was.
     pub fn set_field(&mut self, nodes: &[f32x4]) -> Result<(), GpuError> {
-        let (needed, capacity) = (nodes.len(), self.nodes);
+        let (needed, capacity) = (nodes.len(), self.buffers.counts().field_nodes);
         if needed != capacity {
             return Err(SceneError::CapacityExceeded { what: "nodes of the field", needed, capacity }.into());
         }
         if let Some(&value) = nodes.as_flattened().iter().find(|x| !x.is_finite()) {
             return Err(SceneError::NotFinite { field: "field", value }.into());
         }
-        self.gpu.queue.write_buffer(&self.buffers.field, 0, bytemuck::cast_slice(nodes));
+        if needed > 0 {
+            let field = self.buffers.array(Array::acceleration_field, Side::Only, 0);
+            self.gpu.queue.write_buffer(field, 0, bytemuck::cast_slice(nodes));
+        }
         Ok(())
     }
 
@@ -226,20 +220,16 @@ impl GpuSolver {
     /// # Errors
     /// The device failed.
     pub fn read(&self) -> Result<Readback, GpuError> {
-        let state = &self.buffers.states[self.current()];
-        let (gpu, n) = (&self.gpu, self.particles);
-        let if_any = |there: bool| if there { n } else { 0 };
-        let ends = if self.plastic { &state.ends } else { &self.buffers.states[0].ends };
-        Ok(Readback {
-            position: read(gpu, &state.position, n)?,
-            velocity: read(gpu, &state.velocity, n)?,
-            acceleration: read(gpu, &state.acceleration, n)?,
-            density_pressure: read(gpu, &state.density_pressure, n)?,
-            heat: read(gpu, &state.heat, if_any(self.keeps_heat))?,
-            normal: read(gpu, &state.normal, if_any(self.finds_normals))?,
-            spring_ends: read(gpu, ends, self.spring_ends)?,
-            id: read(gpu, &state.id, n)?,
-        })
+        let model = self.buffers.model();
+        let is_read = |array: Array| matches!(array.class(), Class::State | Class::Index) && array.exists(model);
+        let words = |&array: &Array| {
+            if !is_read(array) {
+                return Ok(Vec::new());
+            }
+            let buffer = self.buffers.array(array, Side::Old, self.current());
+            read(&self.gpu, buffer, self.buffers.words(array))
+        };
+        Ok(Readback { arrays: Array::ALL.iter().map(words).collect::<Result<Vec<_>, _>>()? })
     }
 
     /// Steps that count.

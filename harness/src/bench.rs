@@ -2,13 +2,14 @@
 use crate::arguments::{BackendName, Common};
 use crate::census::{FirstLast, census};
 use crate::failure::Failure;
-use crate::fluid::{Snapshot, start};
-use crate::memory::Heap;
+use crate::fluid::start;
 use crate::output::{deliver, progress};
 use crate::pool::Pool;
 use crate::scenes::{Changes, Named, load};
+use crate::snapshot::Snapshot;
 use crate::timing::{Milliseconds, timed};
-use millpond_core::{Executor, Needs, Pass, Simd, Solver};
+use millpond_core::OwnedMemory;
+use millpond_core::{Executor, Pass, Requirements, Simd, Solver};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 use serde::Serialize;
 use std::time::Instant;
@@ -122,7 +123,7 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
 fn bench(named: &Named, options: &Options) -> Result<Bench, Failure> {
     let scene = &named.file.scene;
     let pool = Pool::new(options.common.threads)?;
-    let mut heap = Heap::of(scene);
+    let mut heap = OwnedMemory::of(scene);
     let mut solver = start(&named.name, scene, &mut heap)?;
     if let Some(name) = options.simd {
         let simd = match name {
@@ -141,18 +142,18 @@ fn bench(named: &Named, options: &Options) -> Result<Bench, Failure> {
         BackendName::Gpu => time_gpu(&solver, options, &bar)?,
     };
     bar.finish_and_clear();
-    let needs = Needs::of(scene);
+    let needs = Requirements::of(scene);
     let ms_per_step = Milliseconds::of(&timed.steps);
     let [first, last] = [&timed.first, &timed.last].map(|state| census(scene, state).map(|c| c.average_neighbours));
     Ok(Bench {
         scene: named.name.clone(),
-        particles: needs.particles,
+        particles: needs.counts.particles,
         threads: pool.width(),
         simd: timed.path,
         ms_per_step,
         passes: timed.passes,
-        ns_per_particle_step: ms_per_step.min * 1e6 / needs.particles.max(1) as f64,
-        bytes_per_particle: needs.bytes() as f64 / needs.particles.max(1) as f64,
+        ns_per_particle_step: ms_per_step.min * 1e6 / needs.counts.particles.max(1) as f64,
+        bytes_per_particle: needs.bytes() as f64 / needs.counts.particles.max(1) as f64,
         average_neighbours: FirstLast { first: first?, last: last? },
         real_time_factor: f64::from(timed.last.clock.time_step) * 1e3 / ms_per_step.min,
         scaling: None,

@@ -1,12 +1,12 @@
 //! What can be said of a state as a whole, the same for every backend: a CPU solver is set up from it and asked.
 use crate::energy::{scale, total};
 use crate::failure::Failure;
-use crate::fluid::Snapshot;
-use crate::memory::Heap;
+use crate::snapshot::Snapshot;
+use millpond_core::OwnedMemory;
 use millpond_core::layout::f32x4;
 use millpond_core::report::{Courant, DensityError, Energies};
 use millpond_core::scene::{Elasticity, GridStructure, Integrator, Scene};
-use millpond_core::{Needs, Plan, Solver};
+use millpond_core::{Plan, Requirements, Solver};
 use serde::Serialize;
 
 /// A state in a few numbers.
@@ -61,7 +61,7 @@ impl From<DensityError> for MeanMax {
 /// # Errors
 /// A state that no step could start from.
 pub fn census(scene: &Scene, state: &Snapshot) -> Result<Census, Failure> {
-    let count = state.position.len();
+    let count = state.position().len();
     // walls may have moved particles into cells that are full: the index sort takes any number
     let mut scene = scene.clone();
     scene.grid.structure = GridStructure::IndexSort;
@@ -71,7 +71,7 @@ pub fn census(scene: &Scene, state: &Snapshot) -> Result<Census, Failure> {
     // nor does an integrator remember anything of them
     (scene.model.integrator, scene.model.reevaluate, scene.adaptive) = (Integrator::default(), false, None);
     let scene = &scene;
-    let mut heap = Heap::with(Needs { particles: count, ..Needs::of(scene) });
+    let mut heap = OwnedMemory::with(&Requirements::of(scene).for_particles(count));
     let solver = Solver::with_particles(scene, Plan::of(scene), count, state.places(), heap.lend());
     let mut solver = solver.map_err(|error| Failure::Scene { origin: "census".into(), error })?;
     let speed = |v: &f32x4| v[..3].iter().map(|x| f64::from(*x) * f64::from(*x)).sum::<f64>().sqrt();
@@ -83,7 +83,7 @@ pub fn census(scene: &Scene, state: &Snapshot) -> Result<Census, Failure> {
         courant: solver.courant(state.clock.time_step),
         mechanical: total(scene, &solver),
         to_spend: scale(scene, &solver),
-        fastest: state.velocity.iter().map(speed).fold(0.0, f64::max),
-        farthest: state.position.iter().flat_map(|x| &x[..3]).map(|x| f64::from(x.abs())).fold(0.0, f64::max),
+        fastest: state.velocity().iter().map(speed).fold(0.0, f64::max),
+        farthest: state.position().iter().flat_map(|x| &x[..3]).map(|x| f64::from(x.abs())).fold(0.0, f64::max),
     })
 }

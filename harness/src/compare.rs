@@ -1,21 +1,22 @@
 //! `compare`: one scene on every path at once, every bit held against the scalar one after every step.
 use crate::arguments::{BackendName, Common, Length};
 use crate::failure::Failure;
-use crate::fluid::{Snapshot, device_if_any, start};
-use crate::memory::Heap;
+use crate::fluid::{device_if_any, start};
 use crate::output::{deliver, progress};
 use crate::pool::Pool;
 use crate::scenes::{MOST_BYTES, Named, load};
+use crate::snapshot::Snapshot;
 use crate::span::Span;
 use crate::timing::{Milliseconds, timed};
+use millpond_core::OwnedMemory;
 use millpond_core::scene::{GridStructure, Scene};
-use millpond_core::{Needs, Simd, Solver};
+use millpond_core::{Requirements, Simd, Solver};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 
 mod difference;
 mod pair;
-pub use difference::{Difference, difference, ulp_distance};
-pub use pair::{Comparison, Pair, PerQuantity, table};
+pub use difference::{Difference, PerQuantity, difference, ulp_distance};
+pub use pair::{Comparison, Pair, table};
 
 /// Options of `compare`.
 #[derive(Clone, Debug, clap::Args)]
@@ -122,12 +123,12 @@ pub fn compare(
 ) -> Result<Comparison, Failure> {
     let scene = &named.file.scene;
     let (one, many) = (Pool::new(1)?, Pool::new(paths.threads)?);
-    let mut heaps = [scene; 4].map(Heap::of);
+    let mut heaps = [scene; 4].map(OwnedMemory::of);
     let [first, base_heap, best_heap, many_heap] = &mut heaps;
     let mut reference = start(&named.name, scene, first)?.at_level(Simd::Scalar);
     let other = other_grid(scene, &mut reference);
-    let with_other = other.check().is_ok() && Needs::of(&other).bytes() <= MOST_BYTES;
-    let mut other_heap = if with_other { Heap::of(&other) } else { Heap::with(Needs::default()) };
+    let with_other = other.check().is_ok() && Requirements::of(&other).bytes() <= MOST_BYTES;
+    let mut other_heap = if with_other { OwnedMemory::of(&other) } else { OwnedMemory::default() };
     let mut rivals = Vec::new();
     let mut enter = |b: String, promised: bool, path| {
         rivals.push(Rival { path, pair: Pair::new(b, promised), times: Vec::new() });

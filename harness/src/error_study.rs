@@ -1,11 +1,11 @@
 //! `error`: how far off a case is, against how long it takes, over resolutions, time steps and formulas.
 use crate::arguments::Common;
 use crate::failure::Failure;
-use crate::memory::Heap;
 use crate::output::{deliver, make_folder, progress};
 use crate::plot::{Mark, front_plot};
 use crate::pool::Pool;
 use crate::scenes::{Named, load};
+use millpond_core::OwnedMemory;
 use millpond_core::Solver;
 use millpond_core::hash::tree_sum;
 use millpond_core::scene::{EquationOfState, Scene};
@@ -169,7 +169,7 @@ pub fn study(base: &Named, ladder: &Ladder, pool: &Pool, folder: Option<&Path>) 
 
 /// Error of the mean profile, and wall time per simulated second.
 fn measure(base: &Named, scene: &Scene, pool: &Pool, seconds: f64) -> Result<(f64, f64), Failure> {
-    let mut heap = Heap::of(scene);
+    let mut heap = OwnedMemory::of(scene);
     let mut solver = crate::fluid::start(&base.name, scene, &mut heap)?;
     let steps = (seconds / f64::from(scene.time_step)).round() as u64;
     let settled = steps / 2;

@@ -1,14 +1,14 @@
 //! A scene on a backend, behind one face.
 use crate::arguments::BackendName;
 use crate::failure::Failure;
-use crate::memory::Heap;
 use crate::pool::Pool;
 use crate::scenes::Named;
-use millpond_core::hash::state_hash;
-use millpond_core::layout::{Parameters, f32x4, u32x2, u32x4};
-use millpond_core::scene::{Place, Scene};
+use crate::snapshot::Snapshot;
+use millpond_core::OwnedMemory;
+use millpond_core::layout::{Parameters, u32x4};
+use millpond_core::scene::Scene;
 use millpond_core::springs::energy;
-use millpond_core::{AirReport, CorrectionReport, Plan, Solver, TimeReport};
+use millpond_core::{AirReport, Array, CorrectionReport, Plan, Solver, TimeReport};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 
 /// Set to `1`, it turns a missing GPU into a failure, so that no comparison is skipped unseen.
@@ -40,104 +40,7 @@ pub enum Fluid<'a> {
 pub struct Springs {
     plan: Plan,
     parameters: Parameters,
-    of: Vec<u32x4>,
-}
-
-/// A state, by particle id.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Snapshot {
-    /// Position, m.
-    pub position: Vec<f32x4>,
-    /// Velocity, m/s.
-    pub velocity: Vec<f32x4>,
-    /// [`QUANTITIES`](millpond_core::layout::QUANTITIES).
-    pub density_pressure: Vec<f32x4>,
-    /// Thermal energy, J/kg, and its rate, W/kg; empty where the scene keeps no account of it.
-    pub heat: Vec<f32x4>,
-    /// Inward normals of surfaces, 1/m, and in w the curvature that tension takes; empty where the scene finds none.
-    pub surface: Vec<f32x4>,
-    /// Ends of springs, each particle's side by side; empty where the scene has none.
-    pub spring_ends: Vec<u32x2>,
-    /// What became of the time step.
-    pub clock: TimeReport,
-}
-
-impl Snapshot {
-    fn of(slots: &[u32], [position, velocity, density_pressure, heat]: [&[f32x4]; 4]) -> Snapshot {
-        let by_id =
-            |array: &[f32x4]| slots.iter().filter_map(|&slot| array.get(slot as usize)).copied().collect::<Vec<_>>();
-        Snapshot {
-            position: by_id(position),
-            velocity: by_id(velocity),
-            density_pressure: by_id(density_pressure),
-            heat: by_id(heat),
-            ..Snapshot::default()
-        }
-    }
-
-    /// And what only some scenes have: normals with the curvature that is kept beside accelerations, ends of springs, a time
-    /// step of its own.
-    fn with(
-        mut self,
-        slots: &[u32],
-        [normal, acceleration]: [&[f32x4]; 2],
-        ends: &[u32x2],
-        clock: TimeReport,
-    ) -> Snapshot {
-        let of = |&slot: &u32| {
-            let [x, y, z, _] = *normal.get(slot as usize)?;
-            Some([x, y, z, acceleration.get(slot as usize)?[3]])
-        };
-        self.surface = slots.iter().filter_map(of).collect();
-        self.spring_ends = ends.to_vec();
-        self.clock = clock;
-        self
-    }
-
-    /// Where particles would be to go on from here.
-    pub fn places(&self) -> impl Iterator<Item = Place> {
-        let vector = |[x, y, z, _]: f32x4| [x, y, z];
-        let all = self.position.iter().zip(&self.velocity).zip(&self.density_pressure);
-        all.map(move |((x, v), d)| Place {
-            position: vector(*x),
-            velocity: vector(*v),
-            species: v[3] as u32,
-            mass: x[3],
-            deviation: d[0],
-            pressure: d[1],
-        })
-    }
-
-    /// The state hash, as core computes it.
-    #[must_use]
-    pub fn hash(&self) -> u64 {
-        let slots: Vec<u32> = (0..self.position.len() as u32).collect();
-        state_hash(&slots, &self.position, &self.velocity)
-    }
-
-    /// Of a CPU solver.
-    #[must_use]
-    pub fn of_cpu(solver: &Solver<'_>) -> Snapshot {
-        let state = solver.state();
-        Snapshot::of(solver.slots(), [state.position, state.velocity, state.density_pressure, state.heat]).with(
-            solver.slots(),
-            [state.normal, state.acceleration],
-            solver.spring_ends(),
-            solver.time_report(),
-        )
-    }
-
-    /// Of a GPU solver.
-    ///
-    /// # Errors
-    /// The device failed.
-    pub fn of_gpu(solver: &GpuSolver) -> Result<Snapshot, Failure> {
-        let state = solver.read()?;
-        let slots = state.slots();
-        let known = Snapshot::of(&slots, [&state.position, &state.velocity, &state.density_pressure, &state.heat]);
-        let clock = solver.time_report()?;
-        Ok(known.with(&slots, [&state.normal, &state.acceleration], &state.spring_ends, clock))
-    }
+    ranges: Vec<u32x4>,
 }
 
 impl<'a> Fluid<'a> {
@@ -148,7 +51,7 @@ impl<'a> Fluid<'a> {
     pub fn start(
         named: &Named,
         backend: BackendName,
-        heap: &'a mut Heap,
+        heap: &'a mut OwnedMemory,
         pool: &'a Pool,
     ) -> Result<Fluid<'a>, Failure> {
         let solver = start(&named.name, &named.file.scene, heap)?;
@@ -157,7 +60,8 @@ impl<'a> Fluid<'a> {
             BackendName::Gpu => {
                 let gpu = Gpu::open(None, Mode::Strict)?;
                 let (plan, parameters) = (*solver.plan(), *solver.parameters());
-                let springs = Box::new(Springs { plan, parameters, of: solver.springs_of().to_vec() });
+                let ranges = bytemuck::cast_slice(solver.words(Array::spring_ranges)).to_vec();
+                let springs = Box::new(Springs { plan, parameters, ranges });
                 Fluid::Gpu { solver: Box::new(GpuSolver::new(&gpu, &solver)?), device: gpu.name(), springs }
             }
         })
@@ -225,11 +129,11 @@ impl<'a> Fluid<'a> {
             Fluid::Cpu { solver, .. } => solver.energies().elastic,
             Fluid::Gpu { springs, .. } => {
                 let rest = |id: u32| {
-                    let kind = state.velocity[id as usize][3] as usize;
+                    let kind = state.velocity()[id as usize][3] as usize;
                     springs.parameters.species.get(kind).map_or(1.0, |species| species[2])
                 };
-                let particle = |id: u32| (state.position[id as usize], rest(id));
-                energy(&springs.plan, &springs.parameters, (&springs.of, &state.spring_ends), particle)
+                let particle = |id: u32| (state.position()[id as usize], rest(id));
+                energy(&springs.plan, &springs.parameters, (&springs.ranges, state.spring_ends()), particle)
             }
         }
     }
@@ -251,7 +155,7 @@ impl<'a> Fluid<'a> {
 ///
 /// # Errors
 /// A scene that cannot start.
-pub fn start<'a>(name: &str, scene: &Scene, heap: &'a mut Heap) -> Result<Solver<'a>, Failure> {
+pub fn start<'a>(name: &str, scene: &Scene, heap: &'a mut OwnedMemory) -> Result<Solver<'a>, Failure> {
     Solver::new(scene, heap.lend()).map_err(|error| Failure::Scene { origin: name.to_owned(), error })
 }
 

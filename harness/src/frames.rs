@@ -1,8 +1,8 @@
 //! Pictures of a run: which states are drawn, and how a scene looks.
 use crate::failure::Failure;
-use crate::fluid::Snapshot;
 use crate::paint::{Colouring, Frame, Swatch, View, paint};
 use crate::scenes::{Camera, Named, SceneFile, Shade};
+use crate::snapshot::Snapshot;
 use crate::span::Span;
 use glam::Vec3;
 use millpond_core::layout::f32x4;
@@ -137,7 +137,7 @@ impl Cast {
     fn of(file: &SceneFile, state: &Snapshot) -> Cast {
         let scene = &file.scene;
         let mut cast = Cast::default();
-        for ((x, v), d) in state.position.iter().zip(&state.velocity).zip(&state.density_pressure) {
+        for ((x, v), d) in state.position().iter().zip(state.velocity()).zip(state.density_pressure()) {
             let [vx, vy, vz, kind] = *v;
             match kind_of(kind as u32, scene) {
                 Some(Kind::Fluid(fluid)) => cast.beads.push(Bead {
@@ -195,7 +195,7 @@ fn bounds(scene: &Scene, state: &Snapshot) -> [Vec3; 2] {
         |boxes: &mut dyn Iterator<Item = (Vec3, Vec3)>| boxes.reduce(|(low, high), (a, b)| (low.min(a), high.max(b)));
     let mut blocks = scene.blocks.iter().map(|b| (Vec3::from(b.corner), Vec3::from(b.corner) + Vec3::from(b.size)));
     let (low, high) = joined(&mut blocks).unwrap_or_else(|| {
-        let at = state.position.first().map_or(Vec3::ZERO, |x| Vec3::new(x[0], x[1], x[2]));
+        let at = state.position().first().map_or(Vec3::ZERO, |x| Vec3::new(x[0], x[1], x[2]));
         (at - 1.0, at + 1.0)
     });
     // fluid is given room to move, walls stay where they are

@@ -1,13 +1,16 @@
 //! `plan`: what a scene needs, what it leaves out, and what that saves.
 use crate::arguments::Common;
 use crate::failure::Failure;
-use crate::memory::Heap;
 use crate::output::deliver;
 use crate::pool::Pool;
 use crate::scenes::{Named, load};
 use crate::timing::{Milliseconds, timed};
-use millpond_core::scene::{GridStructure, Scene, places};
-use millpond_core::{Needs, Plan, Solver};
+use millpond_core::OwnedMemory;
+use millpond_core::layout::Model;
+use millpond_core::scene::{Scene, places};
+use millpond_core::terms::state::PRESSURE_CORRECTION;
+use millpond_core::terms::table::TABLE;
+use millpond_core::{Array, Plan, Requirements, Solver};
 use serde::Serialize;
 
 /// Options of `plan`.
@@ -107,78 +110,78 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
 pub fn view(named: &Named, pool: &Pool, steps: u32) -> Result<PlanView, Failure> {
     let scene = &named.file.scene;
     let plan = Plan::of(scene);
-    let needs = Needs::of(scene);
-    let used = needs.bytes();
+    let requirements = Requirements::of(scene);
+    let used = requirements.bytes();
     let [by_plan, by_everything] = time(named, pool, steps)?;
     let passes = plan.passes().map(|p| PassView { name: p.name(), terms: plan.terms(p).into_iter().collect() });
-    let bytes_of = |what: &str| bytes_saved(scene, needs, what);
+    let bytes_of = |what: &str| bytes_saved(scene, &requirements, what);
     let left_out = plan.left_out();
     let left_out = left_out.iter().map(|l| LeftOutView { what: l.what, why: l.why, bytes: bytes_of(l.what) });
     Ok(PlanView {
         scene: named.name.clone(),
         passes: passes.collect(),
         left_out: left_out.collect(),
-        bytes: Bytes { used, everything: everything(scene) },
-        arrays: needs
-            .arrays()
-            .into_iter()
-            .filter(|(_, bytes)| *bytes > 0)
-            .map(|(name, bytes)| ArrayView { name, bytes })
-            .collect(),
+        bytes: Bytes { used, everything: everything(scene, &requirements) },
+        arrays: arrays(&requirements),
         ms_per_step: PlanTimes { plan: by_plan.min, everything: by_everything.min },
         median_ms_per_step: PlanTimes { plan: by_plan.median, everything: by_everything.median },
     })
 }
 
+/// The arrays that exist, with their bytes.
+fn arrays(requirements: &Requirements) -> Vec<ArrayView> {
+    let all = Array::ALL.iter().map(|&array| ArrayView { name: array.name(), bytes: requirements.bytes_of(array) });
+    all.filter(|array| array.bytes > 0).collect()
+}
+
 /// Memory that something left out would take.
-fn bytes_saved(scene: &Scene, needs: Needs, what: &str) -> usize {
-    let ends = ends_if_elastic(scene);
-    let with = match what {
-        "cell lists" => Needs { places: Needs::of(&with_lists(scene)).places, ..needs },
-        "XSPH" => Needs { smoothing: true, ..needs },
-        "thermal energy" => Needs { heat: true, ..needs },
-        "variable support" => Needs { previous: true, ..needs },
-        "pressure correction" => Needs { previous: true, free: true, ..needs },
-        "kernel tables" => Needs { tables: true, ..needs },
-        "normals" => Needs { normals: true, ..needs },
-        "elasticity" => Needs { springs: true, spring_ends: ends, ..needs },
-        "air" => Needs { air: true, ..needs },
-        "plasticity" => Needs { plastic: true, spring_ends: ends, springs: true, ..needs },
-        _ => needs,
-    };
-    with.bytes() - needs.bytes()
-}
-
-/// Ends of springs of a scene, as many as its blocks would have, were all of them elastic.
-fn ends_if_elastic(scene: &Scene) -> usize {
-    let mut elastic = scene.clone();
-    std::iter::once(&mut elastic.fluid).chain(&mut elastic.other_fluids).for_each(|f| f.elastic_stiffness = 1.0);
-    elastic.spring_ends()
-}
-
-/// The scene with cell lists.
-fn with_lists(scene: &Scene) -> Scene {
-    let mut lists = scene.clone();
-    if scene.grid.structure == GridStructure::IndexSort {
-        lists.grid.structure = GridStructure::CellLists { places: USUAL_PLACES };
+fn bytes_saved(scene: &Scene, requirements: &Requirements, what: &str) -> usize {
+    let mut model = *requirements.model();
+    if let Some((_, include)) = OPTIONAL.iter().find(|(name, _)| *name == what) {
+        include(&mut model);
     }
-    lists
+    with(scene, requirements, model).bytes().saturating_sub(requirements.bytes())
+}
+
+/// What takes memory where a scene asks for it.
+type Include = fn(&mut Model);
+const OPTIONAL: &[(&str, Include)] = &[
+    ("cell lists", |m| m.cell_places = m.cell_places.max(USUAL_PLACES)),
+    ("XSPH", |m| m.xsph = 1),
+    ("thermal energy", |m| m.thermal_energy = 1),
+    ("variable support", |m| m.variable_support = 1),
+    ("pressure correction", |m| m.equation_of_state = PRESSURE_CORRECTION),
+    ("kernel tables", |m| m.evaluation = TABLE),
+    ("normals", |m| m.normals = 1),
+    ("elasticity", |m| m.springs = 1),
+    ("plasticity", |m| (m.springs, m.plastic) = (1, 1)),
+    ("air", |m| m.air = 1),
+];
+
+/// The same requirements by another model of the scene.
+fn with(scene: &Scene, requirements: &Requirements, model: Model) -> Requirements {
+    let mut counts = requirements.counts;
+    if model.springs == 1 && counts.spring_ends == 0 {
+        // as many as its blocks would have, were all of them elastic
+        let mut elastic = scene.clone();
+        std::iter::once(&mut elastic.fluid).chain(&mut elastic.other_fluids).for_each(|f| f.elastic_stiffness = 1.0);
+        counts.spring_ends = elastic.spring_ends();
+    }
+    Requirements::by_model(model, counts)
 }
 
 /// Memory of a scene with all that this version can leave out.
-fn everything(scene: &Scene) -> usize {
-    let lists = with_lists(scene);
-    let plan = Plan::everything(&lists);
-    let needs = Needs::by_plan(&lists, &plan);
-    let spring_ends = ends_if_elastic(scene);
-    Needs { previous: true, free: true, tables: true, air: true, spring_ends, plastic: true, ..needs }.bytes()
+fn everything(scene: &Scene, requirements: &Requirements) -> usize {
+    let mut model = Plan::everything(scene).model;
+    OPTIONAL.iter().for_each(|(_, include)| include(&mut model));
+    with(scene, requirements, model).bytes()
 }
 
 /// Times the two plans in turn, so that both meet the same mood of the machine.
 fn time(named: &Named, pool: &Pool, steps: u32) -> Result<[Milliseconds; 2], Failure> {
     let scene = &named.file.scene;
     let plans = [Plan::of(scene), Plan::everything(scene)];
-    let mut heaps = plans.map(|plan| Heap::with(Needs::by_plan(scene, &plan)));
+    let mut heaps = plans.map(|plan| OwnedMemory::with(&Requirements::by_plan(scene, &plan)));
     let mut times = [Vec::new(), Vec::new()];
     let mut solvers = Vec::new();
     for (heap, plan) in heaps.iter_mut().zip(plans) {

@@ -2,15 +2,16 @@
 use crate::arguments::{BackendName, Common, Length};
 use crate::census::{FirstLast, census};
 use crate::failure::Failure;
-use crate::fluid::{Fluid, Snapshot};
+use crate::fluid::Fluid;
 use crate::frames::Film;
-use crate::memory::Heap;
 use crate::output::{deliver, make_folder, progress};
 use crate::pool::Pool;
 use crate::scenes::{Named, load};
+use crate::snapshot::Snapshot;
 use crate::span::Span;
 use crate::timing::{Milliseconds, timed};
 use crate::warnings::{gained, warnings};
+use millpond_core::OwnedMemory;
 use millpond_core::guided::particle_mass;
 use millpond_core::layout::f32x4;
 use millpond_core::scene::{EquationOfState, Kind, Scene, kind_of};
@@ -66,7 +67,7 @@ pub fn run(
     pictures: Option<(&Path, u64)>,
 ) -> Result<Outcome, Failure> {
     let scene = &named.file.scene;
-    let mut heap = Heap::of(scene);
+    let mut heap = OwnedMemory::of(scene);
     let mut fluid = Fluid::start(named, backend, &mut heap, pool)?;
     let first = fluid.snapshot()?;
     let first_census = census(scene, &first)?;
@@ -129,7 +130,7 @@ pub fn run(
     Ok(Outcome {
         scene: named.name.clone(),
         backend: fluid.backend(),
-        particles: last.position.len(),
+        particles: last.position().len(),
         wall_particles: scene.wall_count(),
         steps: done,
         simulated_s: clock.time,
@@ -180,6 +181,6 @@ fn thermal_energy(scene: &Scene, state: &Snapshot) -> f64 {
         Some(Kind::Fluid(fluid)) => f64::from(scene.fluid_of(fluid).rest_density),
         _ => 0.0,
     };
-    let fluid = state.heat.iter().zip(&state.position).zip(&state.velocity);
+    let fluid = state.internal_energy().iter().zip(state.position()).zip(state.velocity());
     fluid.map(|((heat, x), v)| mass * density(v) * f64::from(x[3]) * f64::from(heat[0])).sum()
 }

@@ -1,7 +1,7 @@
 //! Scene files: RON text with unknown fields refused, a few of them built in, every field open to `--set`.
 use crate::failure::Failure;
 use millpond_core::scene::{Container, Periodic, Scene, WallShape};
-use millpond_core::{Needs, SceneError};
+use millpond_core::{Requirements, SceneError};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::path::Path;
@@ -121,7 +121,7 @@ pub fn load(name: &str, changes: &Changes) -> Result<Named, Failure> {
         scale(&mut file.scene, particles)?;
         file.scene.check().map_err(refuse)?;
     }
-    let bytes = Needs::of(&file.scene).bytes();
+    let bytes = Requirements::of(&file.scene).bytes();
     if bytes > MOST_BYTES {
         return Err(Failure::Call(format!("the scene needs {bytes} bytes, and at most {MOST_BYTES} are given to one")));
     }

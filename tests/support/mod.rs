@@ -2,10 +2,10 @@
 #![allow(dead_code, unreachable_pub, reason = "each test uses its part")]
 use std::io::Write as _;
 
-use millpond::memory::Heap;
 use millpond::scenes::{Changes, Named, load};
+use millpond_core::OwnedMemory;
 use millpond_core::scene::{Place, Scene};
-use millpond_core::{Needs, Plan, Solver};
+use millpond_core::{Plan, Requirements, Solver};
 use millpond_gpu::{Gpu, Mode};
 
 /// A built-in scene, changed.
@@ -20,12 +20,12 @@ pub fn scaled(name: &str, particles: u64) -> Named {
 }
 
 /// Memory for `count` particles in the cells of `scene`.
-pub fn heap_for(scene: &Scene, count: usize) -> Heap {
-    Heap::with(Needs { particles: count, ..Needs::of(scene) })
+pub fn heap_for(scene: &Scene, count: usize) -> OwnedMemory {
+    OwnedMemory::with(&Requirements::of(scene).for_particles(count))
 }
 
 /// A solver of particles at rest at these places.
-pub fn at_rest<'a>(scene: &Scene, positions: &[[f32; 3]], heap: &'a mut Heap) -> Solver<'a> {
+pub fn at_rest<'a>(scene: &Scene, positions: &[[f32; 3]], heap: &'a mut OwnedMemory) -> Solver<'a> {
     let places = positions.iter().map(|&position| Place::at(position, [0.0; 3]));
     Solver::with_particles(scene, Plan::of(scene), positions.len(), places, heap.lend()).expect("a scene")
 }

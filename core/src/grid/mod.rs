@@ -50,11 +50,11 @@ pub(crate) fn is_limbo(m: &Model, p: &Parameters, cell: usize) -> bool {
     m.air == 1 && cell + 1 == p.cells[3] as usize
 }
 
-/// The sorted particles: those of cell `c` stand at slots `begin[c] ..`, `counter[c]` of them.
+/// The sorted particles: those of cell `c` stand at slots `start[c] ..`, `counter[c]` of them.
 #[derive(Clone, Copy)]
 pub struct Cells<'a> {
     /// First slot of each cell.
-    pub begin: &'a [u32],
+    pub start: &'a [u32],
     /// Particles of each cell.
     pub counter: &'a [u32],
 }
@@ -64,13 +64,13 @@ impl Cells<'_> {
     #[inline(always)]
     #[must_use]
     pub fn members(&self, cell: usize) -> Range<usize> {
-        let begin = self.begin[cell] as usize;
-        begin..begin + self.counter[cell] as usize
+        let start = self.start[cell] as usize;
+        start..start + self.counter[cell] as usize
     }
 
     /// First slot of a cell, or the number of particles for the one after the last.
     fn first_slot(&self, cell: usize, particles: usize) -> usize {
-        self.begin.get(cell).map_or(particles, |&slot| slot as usize)
+        self.start.get(cell).map_or(particles, |&slot| slot as usize)
     }
 
     /// Cuts the cells into `parts` runs of about equally many particles: (cells, slots) of each.
@@ -79,9 +79,9 @@ impl Cells<'_> {
         (1..=parts).map(move |part| {
             let target = share_of(particles, part, parts);
             let to = if part == parts {
-                self.begin.len()
+                self.start.len()
             } else {
-                self.begin.partition_point(|&slot| (slot as usize) < target).max(from)
+                self.start.partition_point(|&slot| (slot as usize) < target).max(from)
             };
             let share = (from..to, self.first_slot(from, particles)..self.first_slot(to, particles));
             from = to;

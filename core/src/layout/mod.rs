@@ -11,7 +11,7 @@ mod tables;
 
 pub use model::Model;
 pub use parameters::{PLANES, Parameters, SPECIES};
-pub use status::{NONE, Status};
+pub use status::{NONE, QUANTITIES_OF_ID, Status};
 pub use tables::{TABLE_ENTRIES, TABLE_WORDS, TABLES, Tables};
 
 /// Four floats: xyz and one scalar.

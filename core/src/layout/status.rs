@@ -4,6 +4,9 @@ use super::shared;
 /// No particle, no cell: the largest index, so that an atomic minimum finds the smallest offender.
 pub const NONE: u32 = u32::MAX;
 
+/// Arrays of a state that a status word can tell apart: it holds this many times a particle's id, and the number of the array.
+pub const QUANTITIES_OF_ID: u32 = 16;
+
 shared! {
     /// Head of the status buffer. The three offenders are minima over a pass, so no order of threads changes them; the
     /// last pass of a step looks at them once, and a step that finds one sets `failed`, after which no step does anything.
@@ -19,7 +22,7 @@ shared! {
         pub cell_full: u32,
         /// Particles in that cell.
         pub cell_count: u32,
-        /// Smallest `4 id + quantity` of a particle that is not finite any more.
+        /// Smallest `16 id + array` of a particle that is not finite any more.
         pub not_finite: u32,
         /// Iterations of pressure: 0 while there is something to mend, 1 when the last pressure is still to act, 2 when
         /// all is done.

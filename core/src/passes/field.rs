@@ -1,11 +1,11 @@
 //! The host's field of accelerations at a position: linear between the nodes around it, no node outside the lattice.
-use super::Setup;
+use super::context::Setup;
 use crate::arithmetic::real::{Real, floor, larger, real, smaller, vec3};
 use crate::terms::external::{field_place, field_share};
 
 /// The field where particles are, m/s2.
 #[inline(always)]
-pub(super) fn at<R: Real>(setup: &Setup<'_>, position: vec3<R>) -> vec3<R> {
+pub(crate) fn at<R: Real>(setup: &Setup<'_>, position: vec3<R>) -> vec3<R> {
     let (m, p) = (setup.model, setup.parameters);
     let place = field_place(p, position);
     // beyond the lattice one node is as absent as another

@@ -1,5 +1,6 @@
 //! What the pair passes read of particles, and how it gets into the lanes.
-use super::{Setup, is_wall, kind, load, load_one, row_of};
+use super::context::Setup;
+use super::lanes::{is_wall, kind, load, load_one, load_scalar, row_of};
 use crate::arithmetic::real::{Real, real, vec3};
 use crate::layout::{Kinds, f32x4};
 use crate::terms::pair::{Local, Stiffness};
@@ -9,18 +10,42 @@ use crate::terms::pair::{Local, Stiffness};
 pub(crate) struct Particles<'a> {
     pub position: &'a [f32x4],
     pub velocity: &'a [f32x4],
-    /// Empty where a pass has no use for it.
+    /// Empty where a pass makes it, or has no use for it.
     pub density_pressure: &'a [f32x4],
-    /// Its third numbers are the supports, where they vary.
-    pub previous: &'a [f32x4],
+    /// Empty where supports do not vary.
+    pub support: &'a [f32],
 }
+
+/// The particles of a step; `but density` without density and pressure, which a pass makes.
+///
+/// A macro, since a function would borrow the whole of the state, and a pass writes one of its arrays.
+macro_rules! particles {
+    ($step:ident) => {
+        $crate::passes::local::Particles {
+            density_pressure: &*$step.new.density_pressure,
+            ..$crate::passes::local::particles!($step but density)
+        }
+    };
+    ($step:ident but density) => {
+        $crate::passes::local::Particles {
+            position: &*$step.new.position,
+            velocity: if matches!($step.command, $crate::plan::schedule::Command::RunAgain(_)) {
+                &*$step.scratch.end_velocity
+            } else {
+                &*$step.new.velocity
+            },
+            density_pressure: &[],
+            support: &*$step.scratch.support_ratio,
+        }
+    };
+}
+pub(crate) use particles;
 
 impl Particles<'_> {
     /// Particles `first ..= last` in the lanes.
     #[inline(always)]
-    pub(super) fn receivers<R: Real>(&self, setup: &Setup<'_>, first: usize, last: usize) -> Local<R> {
+    pub(crate) fn receivers<R: Real>(&self, setup: &Setup<'_>, first: usize, last: usize) -> Local<R> {
         let p = setup.parameters;
-        let one = real::<R>(1.0);
         let of = |i| load_one::<R>(self.density_pressure, first, last, i);
         let known = !self.density_pressure.is_empty();
         let none = real::<R>(0.0);
@@ -30,7 +55,7 @@ impl Particles<'_> {
         Local {
             position: load(self.position, first, last),
             velocity: load(self.velocity, first, last),
-            support: if setup.model.variable_support == 1 { load_one(self.previous, first, last, 2) } else { one },
+            support: self.supports(setup, first, last),
             mass: load_one(self.position, first, last, 3),
             deviation,
             pressure,
@@ -46,9 +71,21 @@ impl Particles<'_> {
         }
     }
 
+    /// Their support radii, over the scene's.
+    #[inline(always)]
+    pub(crate) fn supports<R: Real>(&self, setup: &Setup<'_>, first: usize, last: usize) -> R {
+        if setup.model.variable_support == 1 { load_scalar(self.support, first, last) } else { real(1.0) }
+    }
+
+    /// That of particle `b`, in every lane.
+    #[inline(always)]
+    pub(crate) fn support_of<R: Real>(&self, setup: &Setup<'_>, b: usize) -> R {
+        real(if setup.model.variable_support == 1 { self.support[b] } else { 1.0 })
+    }
+
     /// What closes the density of particles `first ..= last`.
     #[inline(always)]
-    pub(super) fn stiffness<R: Real>(&self, setup: &Setup<'_>, first: usize, last: usize) -> Stiffness<R> {
+    pub(crate) fn stiffness<R: Real>(&self, setup: &Setup<'_>, first: usize, last: usize) -> Stiffness<R> {
         let p = setup.parameters;
         let row = |rows: &Kinds, i: usize| row_of::<R>(setup.model, rows, self.velocity, first, last, i);
         Stiffness {
@@ -62,7 +99,7 @@ impl Particles<'_> {
 
     /// Particle `b` in every lane.
     #[inline(always)]
-    pub(super) fn neighbour<R: Real>(&self, setup: &Setup<'_>, b: usize) -> Local<R> {
+    pub(crate) fn neighbour<R: Real>(&self, setup: &Setup<'_>, b: usize) -> Local<R> {
         let p = setup.parameters;
         let x = self.position[b];
         let v = self.velocity[b];
@@ -73,7 +110,7 @@ impl Particles<'_> {
         Local {
             position: vec3::splat(x),
             velocity: vec3::splat(v),
-            support: real(if setup.model.variable_support == 1 { self.previous[b][2] } else { 1.0 }),
+            support: self.support_of(setup, b),
             mass: real(x[3]),
             deviation: real(deviation),
             pressure: real(pressure),
@@ -89,9 +126,9 @@ impl Particles<'_> {
         }
     }
 
-    /// Are all particles `first ..= last` walls', or air that is not there? Nothing acts on those.
+    /// Are all particles `first ..= last` walls', or inactive? Nothing acts on those.
     #[inline(always)]
-    pub(super) fn are_walls(&self, setup: &Setup<'_>, first: usize, last: usize) -> bool {
+    pub(crate) fn are_walls(&self, setup: &Setup<'_>, first: usize, last: usize) -> bool {
         let held = setup.model.wall_particles != 0 || setup.model.air == 1;
         held && self.velocity[first..=last].iter().all(|v| is_wall(setup.parameters, v[3]))
     }

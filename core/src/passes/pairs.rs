@@ -1,32 +1,52 @@
-//! What the passes over pairs share: blocks of particles, each with the neighbours that the density pass listed.
-use super::Setup;
+//! What the passes over pairs share: blocks of particles, each with the neighbours that were listed before.
+use super::context::Setup;
 use super::local::Particles;
 use crate::arithmetic::level::Work;
 use crate::arithmetic::real::Real;
 use crate::executor::{Executor, Jobs, parts, take};
 use crate::grid::{Cells, Stencil};
-use crate::layout::{Model, f32x4};
+use crate::layout::{Model, f32x4, u32x2};
 use core::ops::Range;
 
 /// Length of a neighbour list that did not fit: the block walks its stencil again.
-pub(super) const NOT_LISTED: u32 = u32::MAX;
+pub(crate) const NOT_LISTED: u32 = u32::MAX;
 
 /// The sorted particles and their neighbour lists.
 #[derive(Clone, Copy)]
 pub(crate) struct Lists<'a> {
     pub sorted: Cells<'a>,
-    pub block: &'a [[u32; 2]],
-    pub list: &'a [u32],
+    pub ranges: &'a [u32x2],
+    pub neighbours: &'a [u32],
 }
+
+/// The lists of a step: a macro for the same reason as [`particles`](super::local::particles).
+macro_rules! lists {
+    ($step:ident) => {
+        $crate::passes::pairs::Lists {
+            sorted: $crate::passes::pairs::cells!($step),
+            ranges: &*$step.scratch.neighbour_ranges,
+            neighbours: &*$step.scratch.neighbours,
+        }
+    };
+}
+pub(crate) use lists;
+
+/// The cells of a step.
+macro_rules! cells {
+    ($step:ident) => {
+        $crate::grid::Cells { start: &*$step.scratch.cell_start, counter: &*$step.scratch.grid_cell_counters }
+    };
+}
+pub(crate) use cells;
 
 /// A block: up to as many particles of one cell as there are lanes, side by side from `first` on.
 pub(crate) struct Block<'a> {
-    pub(super) setup: &'a Setup<'a>,
-    pub(super) particles: &'a Particles<'a>,
-    pub(super) lists: &'a Lists<'a>,
+    pub(crate) setup: &'a Setup<'a>,
+    pub(crate) particles: &'a Particles<'a>,
+    pub(crate) lists: &'a Lists<'a>,
     cell: usize,
-    pub(super) first: usize,
-    pub(super) last: usize,
+    pub(crate) first: usize,
+    pub(crate) last: usize,
 }
 
 /// Folds the neighbours of a block in their order. Who is listed and no neighbour of a lane must add nothing to it.
@@ -39,7 +59,7 @@ macro_rules! fold {
         for run in walk.runs() {
             for entry in run {
                 // one loop for both, since whatever is added is compiled in once for each
-                let $b = if listed { $block.lists.list[entry] as usize } else { entry };
+                let $b = if listed { $block.lists.neighbours[entry] as usize } else { entry };
                 let $sum = sum;
                 sum = $add;
             }
@@ -48,13 +68,13 @@ macro_rules! fold {
         core::hint::black_box(sum)
     }};
 }
-pub(super) use fold;
+pub(crate) use fold;
 
 impl Block<'_> {
     /// Its neighbours: entries of its list, or, where that did not fit, the slots around it.
     #[inline(always)]
-    pub(super) fn walk(&self) -> (Stencil, bool) {
-        let [begin, length] = self.lists.block[self.first];
+    pub(crate) fn walk(&self) -> (Stencil, bool) {
+        let [begin, length] = self.lists.ranges[self.first];
         let (p, layers) = (self.setup.parameters, self.setup.model.layers as i32);
         if length == NOT_LISTED {
             (Stencil::around(p, layers, self.lists.sorted, self.cell), false)
@@ -119,7 +139,7 @@ impl<P: PairPass> Work for &mut Job<'_, P> {
 impl<P: PairPass> Job<'_, P> {
     /// All blocks of the job, at its SIMD level.
     #[inline(always)]
-    pub(super) fn run(&mut self) {
+    pub(crate) fn run(&mut self) {
         let simd = self.setup.simd;
         simd.run(self);
     }

@@ -72,7 +72,7 @@ impl ModelChoice {
 /// scene.gravity = [0.0, -9.81, 0.0];
 /// scene.grid = Grid { cells: [8, 8, 8], ..Grid::default() };
 /// scene.adaptive = Some(Adaptive { redo_above: Some(1.5), ..Adaptive::default() });
-/// let mut storage = Box::new(Storage::<1000, 512>::new());
+/// let mut storage: Box<Storage<1000, 512>> = Storage::boxed();
 /// let mut solver = Solver::new(&scene, storage.lend())?;
 /// while solver.time() < 0.02 {
 ///     solver.step(&Serial)?;

@@ -4,7 +4,7 @@ fn lookup(table: u32, entry: R) -> R {
   let i = table * TABLE_ENTRIES + u32(entry);
   return tables[i / 4u][i % 4u];
 }
-// The kind of a particle, and what it has of its own. Twin: core/src/passes/mod.rs.
+// The kind of a particle, and what it has of its own. Twin: core/src/passes/lanes.rs.
 fn kind_index(w: f32) -> u32 {
   if m.species == 0u { return 0u; }
   return min(u32(w), SPECIES - 1u);
@@ -17,5 +17,3 @@ fn stiffness_of(w: f32) -> Stiffness {
   let corrections = p.corrections[kind_index(w)];
   return Stiffness(states.x, states.y, corrections.x, corrections.y, corrections.z);
 }
-// Do pairs need the velocities at the end of a step? Twin: core/src/layout/model.rs.
-fn foresees() -> bool { return m.thermal_energy == 1u || m.xsph == 1u || m.reevaluates == 1u; }

@@ -7,7 +7,7 @@ fn local(a: u32) -> Local {
   let states = p.states[kind_index(v.w)];
   let tension = p.corrections[kind_index(v.w)].w;
   var support = 1.0f;
-  if m.variable_support == 1u { support = previous[a].z; }
+  if m.variable_support == 1u { support = support_ratio[a]; }
   return Local(x.xyz, v.xyz, support, x.w, state.x, state.y, state.z, state.w,
     own.x, own.y, own.z, own.w, states.z, states.w, tension);
 }

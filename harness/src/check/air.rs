@@ -10,8 +10,8 @@ use super::flow::{fluid, grid, larger, mean, rms_speed, start_with, step, steps_
 use super::recipes::SEVERAL_FLUIDS;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
-use crate::memory::Heap;
 use crate::outcome::table;
+use millpond_core::OwnedMemory;
 use millpond_core::scene::{Air, Block, DensityForm, Dimension, Fluid, ModelChoice, PressureForce, Scene, places};
 use millpond_core::{AirReport, Particle, Solver};
 
@@ -162,7 +162,7 @@ fn scene((density, coat): (DensityForm, Option<Coat>)) -> Scene {
 
 fn evolve(context: &Context, case: (DensityForm, Option<Coat>)) -> Result<Drop, Failure> {
     let scene = scene(case);
-    let mut heap = Heap::of(&scene);
+    let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
     let before = roundness(&water(&solver));
     let title = format!("{NAME} {}", case.0.name());

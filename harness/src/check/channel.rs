@@ -8,8 +8,8 @@ use super::recipes::WENDLAND;
 use super::reference::{couette as couette_series, numbers, poiseuille as poiseuille_series};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
-use crate::memory::Heap;
 use crate::outcome::table;
+use millpond_core::OwnedMemory;
 use millpond_core::Solver;
 use millpond_core::guided::support_radius;
 use millpond_core::scene::{
@@ -130,7 +130,7 @@ fn scene(drive: &Drive, across: u16) -> Scene {
 /// Error of the profile at each time, over the largest speed then.
 fn errors_of(context: &Context, drive: &Drive, across: u16, times: &[f64]) -> Result<Vec<f64>, Failure> {
     let scene = scene(drive, across);
-    let mut heap = Heap::of(&scene);
+    let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(drive.name, &scene, places(&scene).collect(), &mut heap)?;
     let title = format!("{} {across}", drive.name);
     let mut errors = Vec::new();

@@ -5,8 +5,8 @@ use super::recipes::WENDLAND;
 use super::reference::{along, pairs};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
-use crate::memory::Heap;
 use crate::outcome::table;
+use millpond_core::OwnedMemory;
 use millpond_core::Solver;
 use millpond_core::guided::support_radius;
 use millpond_core::scene::{
@@ -138,7 +138,7 @@ fn scene(side: u16, (density, wall_pressure): (DensityForm, WallPressure)) -> Sc
 
 fn collapse(context: &Context, side: u16, form: (DensityForm, WallPressure)) -> Result<Front, Failure> {
     let scene = scene(side, form);
-    let mut heap = Heap::of(&scene);
+    let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
     // T = n t sqrt(g / a), with n^2 = H / a
     let rate = (f64::from(GRAVITY) * f64::from(HEIGHT)).sqrt() / f64::from(BASE);

@@ -7,9 +7,9 @@ use super::flow::{fluid, grid, larger, mean, start_with, step, steps_to};
 use super::recipes::WENDLAND;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
-use crate::memory::Heap;
 use crate::outcome::table;
 use glam::Vec3;
+use millpond_core::OwnedMemory;
 use millpond_core::guided::particle_mass;
 use millpond_core::report::Energies;
 use millpond_core::scene::{Block, Container, Dimension, Fluid, ModelChoice, Place, Scene, places};
@@ -133,7 +133,7 @@ fn swing(context: &Context, steps: u16) -> Result<Swing, Failure> {
     scene.time_step = (exact / f64::from(steps)) as f32;
     let apart = [-PAIR_SPEED, PAIR_SPEED].map(|speed| [speed, 0.0, 0.0]);
     let places = places(&scene).zip(apart).map(|(place, velocity)| Place { velocity, ..place });
-    let mut heap = Heap::of(&scene);
+    let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, places.collect(), &mut heap)?;
     let start = total(&solver.energies());
     let (mut last, mut crossings, mut energy) = (0.0, Vec::new(), 0.0);
@@ -199,7 +199,7 @@ fn cube(context: &Context) -> Scene {
 fn fall(context: &Context) -> Result<Fall, Failure> {
     let scene = cube(context);
     let contact = (2.0 * f64::from(DROP + SPACING / 2.0) / f64::from(GRAVITY)).sqrt();
-    let mut heap = Heap::of(&scene);
+    let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
     let (energies, size) = (solver.energies(), extents(&solver).map(length));
     let start = total(&energies);

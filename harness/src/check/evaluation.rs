@@ -3,10 +3,10 @@ use super::flow::{fluid, grid, mean, start_with};
 use super::recipes::{THESIS, WENDLAND};
 use super::{Context, Figure};
 use crate::failure::Failure;
-use crate::memory::Heap;
 use crate::outcome::table;
 use crate::output::progress;
 use crate::timing::{Milliseconds, timed};
+use millpond_core::OwnedMemory;
 use millpond_core::Particle;
 use millpond_core::scene::{Block, Dimension, Evaluation, Fluid, ModelChoice, Scene, places};
 
@@ -73,7 +73,7 @@ fn way(context: &Context, model: ModelChoice) -> Result<Way, Failure> {
     let mut scene = Scene::of(Dimension::Three, SPACING, TIME_STEP, water, block);
     scene.model = model;
     scene.grid = grid(Dimension::Three, 16);
-    let mut heap = Heap::of(&scene);
+    let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with("kernels", &scene, places(&scene).collect(), &mut heap)?;
     solver.step(&context.pool)?;
     let particles = fluid(&solver);

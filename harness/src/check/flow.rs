@@ -1,15 +1,15 @@
 //! Starting a scene, stepping it to a time, and numbers of its particles.
 use super::Context;
 use crate::failure::Failure;
-use crate::memory::Heap;
 use crate::output::progress;
+use millpond_core::OwnedMemory;
 use millpond_core::hash::tree_sum;
 use millpond_core::scene::{Dimension, Grid, Place, Scene};
-use millpond_core::{Needs, Particle, Plan, Solver};
+use millpond_core::{Particle, Plan, Requirements, Solver};
 
 /// Memory for a scene with so many particles.
-pub(super) fn heap_for(scene: &Scene, particles: usize) -> Heap {
-    Heap::with(Needs { particles, ..Needs::of(scene) })
+pub(super) fn heap_for(scene: &Scene, particles: usize) -> OwnedMemory {
+    OwnedMemory::with(&Requirements::of(scene).for_particles(particles))
 }
 
 /// A solver with these particles in place of those of the scene's lattice.
@@ -20,7 +20,7 @@ pub(super) fn start_with<'m>(
     study: &str,
     scene: &Scene,
     places: Vec<Place>,
-    heap: &'m mut Heap,
+    heap: &'m mut OwnedMemory,
 ) -> Result<Solver<'m>, Failure> {
     let refused = |error| Failure::Scene { origin: format!("check {study}"), error };
     Solver::with_particles(scene, Plan::of(scene), places.len(), places, heap.lend()).map_err(refused)

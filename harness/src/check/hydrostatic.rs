@@ -3,8 +3,8 @@ use super::column::{Column, Miss, Profile};
 use super::flow::{start_with, step, steps_to};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
-use crate::memory::Heap;
 use crate::outcome::table;
+use millpond_core::OwnedMemory;
 use millpond_core::scene::{DensityForm, Viscosity, WallPressure, Wind, places};
 
 const NAME: &str = "hydrostatic";
@@ -86,7 +86,7 @@ fn settle(
     scene.fluid.alpha = ALPHA;
     scene.fluid.beta = 0.0;
     scene.wind = Some(Wind { velocity: [0.0; 3], drag: DRAG });
-    let mut heap = Heap::of(&scene);
+    let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
     let title = format!("{NAME} {}", wall.name());
     let mut profile = Profile::default();

@@ -4,8 +4,8 @@ use super::column::{Column, Profile};
 use super::flow::{start_with, step, steps_to};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
-use crate::memory::Heap;
 use crate::outcome::table;
+use millpond_core::OwnedMemory;
 use millpond_core::scene::{Correction, EquationOfState, Kernel, PressureForce, Wind, places};
 
 const NAME: &str = "pressure-correction";
@@ -59,7 +59,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     scene.wind = Some(Wind { velocity: [0.0; 3], drag: DRAG });
     let Correction { iteration, iterations, tolerance } = scene.model.correction;
 
-    let mut heap = Heap::of(&scene);
+    let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
     let start = Column::mean_height(&solver);
     let (mut profile, mut mean, mut largest, mut residual) = (Profile::default(), 0.0f64, 0.0f64, 0.0f32);

@@ -11,8 +11,8 @@ use super::reference::{entry, number, rows};
 use super::ripple::{DENSITIES, DEPTH, GRAVITY, Mode, NU, WAVE_NUMBER, formula};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
-use crate::memory::Heap;
 use crate::outcome::table;
+use millpond_core::OwnedMemory;
 use millpond_core::guided::support_radius;
 use millpond_core::scene::{
     Block, DensityForm, Dimension, Face, Fluid, Kernel, ModelChoice, Periodic, Place, PressureForce, Scene, Wall,
@@ -193,7 +193,7 @@ fn rippled(scene: &Scene, mode: &Mode) -> Vec<Place> {
 /// Rate at which the ripple grows, 1/s.
 fn growth(context: &Context, across: u16, form: Form, mode: &Mode) -> Result<f64, Failure> {
     let scene = scene(across, form);
-    let mut heap = Heap::of(&scene);
+    let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, rippled(&scene, mode), &mut heap)?;
     let (mut samples, mut small) = (Vec::new(), true);
     let title = format!("{NAME} {across} {}", form.0.name());
@@ -241,7 +241,7 @@ fn rise(context: &Context) -> Result<(f64, String), Failure> {
     let start = places(&scene).enumerate();
     let count = scene.fluid_count();
     let start = start.map(|(i, place)| if i < count { relabelled(place) } else { place }).collect();
-    let mut heap = Heap::of(&scene);
+    let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, start, &mut heap)?;
     let before = oil(&solver)[0];
     let mut speeds = Vec::new();

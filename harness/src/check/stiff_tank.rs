@@ -4,10 +4,10 @@ use super::flow::{fluid, larger};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::fluid::start;
-use crate::memory::Heap;
 use crate::outcome::table;
 use crate::output::progress;
 use crate::scenes::{Changes, load};
+use millpond_core::OwnedMemory;
 use millpond_core::Solver;
 use millpond_core::scene::WallShape;
 
@@ -34,7 +34,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let scene = &named.file.scene;
     let end = named.file.duration * if context.quick { QUICK_SHARE } else { 1.0 };
     let redo_above = scene.adaptive.and_then(|adaptive| adaptive.redo_above).map_or(f64::INFINITY, f64::from);
-    let mut heap = Heap::of(scene);
+    let mut heap = OwnedMemory::of(scene);
     let mut solver = start(NAME, scene, &mut heap)?;
     let before = energy(&solver);
     let (mut mean, mut fastest, mut gained, mut overrun) = (0.0f64, 0.0f64, 0.0f64, 0.0f64);

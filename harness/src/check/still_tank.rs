@@ -3,8 +3,8 @@ use super::column::Column;
 use super::flow::{rms_speed, start_with, step, steps_to};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
-use crate::memory::Heap;
 use crate::outcome::table;
+use millpond_core::OwnedMemory;
 use millpond_core::scene::{DensityForm, Kernel, Viscosity, places};
 
 const NAME: &str = "still-tank";
@@ -73,7 +73,7 @@ fn rest(context: &Context, column: &Column, density: DensityForm) -> Result<Rest
     scene.model.viscosity = Viscosity::Artificial;
     scene.fluid.alpha = ALPHA;
     scene.fluid.beta = 0.0;
-    let mut heap = Heap::of(&scene);
+    let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
     let start = Column::mean_height(&solver);
     let mut speed = 0.0f64;

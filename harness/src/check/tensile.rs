@@ -4,8 +4,8 @@ use super::flow::{fluid, grid, mean, start_with, step, steps_to};
 use super::recipes::THESIS;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
-use crate::memory::Heap;
 use crate::outcome::table;
+use millpond_core::OwnedMemory;
 use millpond_core::scene::{Block, Dimension, Fluid, ModelChoice, NearPressure, Scene, places};
 use millpond_core::{Particle, Solver};
 
@@ -94,7 +94,7 @@ fn scene(context: &Context, near_pressure: NearPressure) -> Scene {
 fn evolve(context: &Context, near_pressure: NearPressure, end: f64) -> Result<Blob, Failure> {
     let scene = scene(context, near_pressure);
     let rest = f64::from(scene.fluid.rest_density);
-    let mut heap = Heap::of(&scene);
+    let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
     let before = roundness(&fluid(&solver));
     let (mut closest, mut density) = (f64::INFINITY, 0.0f64);

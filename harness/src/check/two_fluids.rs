@@ -9,8 +9,8 @@ use super::recipes::SEVERAL_FLUIDS;
 use super::strata::{GRAVITY, HEAVY, NEAR, Rest, Row, averaged, mixed, near, rows};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
-use crate::memory::Heap;
 use crate::outcome::table;
+use millpond_core::OwnedMemory;
 use millpond_core::guided::support_radius;
 use millpond_core::scene::{
     Block, DensityForm, Dimension, Face, Fluid, Kernel, ModelChoice, PressureForce, Scene, Viscosity, Wall, WallShape,
@@ -191,7 +191,7 @@ fn scene(side: u16, ratio: f32, (density, pressure_force): Form) -> Scene {
 fn rest(context: &Context, side: u16, case: Case, form: Form) -> Result<Rest, Failure> {
     let scene = scene(side, case.ratio, form);
     let end = if context.quick { case.quick_end } else { case.end };
-    let mut heap = Heap::of(&scene);
+    let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
     let (mut samples, mut speed) = (Vec::new(), 0.0);
     let title = format!("{NAME} {} {}", case.ratio, form.0.name());
@@ -214,7 +214,7 @@ fn rest(context: &Context, side: u16, case: Case, form: Form) -> Result<Rest, Fa
 
 /// The rows of a scene that has only begun.
 fn start(scene: &Scene, side: u16) -> Result<Vec<Row>, Failure> {
-    let mut heap = Heap::of(scene);
+    let mut heap = OwnedMemory::of(scene);
     let solver = start_with(NAME, scene, places(scene).collect(), &mut heap)?;
     Ok(rows(&solver, scene, side))
 }
@@ -238,7 +238,7 @@ fn labels(context: &Context, side: u16, form: Form) -> Result<f64, Failure> {
 }
 
 fn hash(context: &Context, scene: &Scene) -> Result<u64, Failure> {
-    let mut heap = Heap::of(scene);
+    let mut heap = OwnedMemory::of(scene);
     let mut solver = start_with(NAME, scene, places(scene).collect(), &mut heap)?;
     step(NAME, context, &mut solver, LABEL_STEPS, LABEL_STEPS, |_| ())?;
     Ok(solver.hash())

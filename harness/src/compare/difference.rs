@@ -1,17 +1,29 @@
-//! Where two states differ, and by how much.
-use super::pair::PerQuantity;
-use crate::fluid::Snapshot;
-use millpond_core::layout::f32x4;
+//! Where two states differ, array by array, and by how much.
+use crate::snapshot::Snapshot;
+use millpond_core::Array;
+use millpond_core::plan::arrays::Class;
+use serde::Serialize;
+
+/// Position and velocity of something.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct PerQuantity<T> {
+    /// Of positions.
+    pub position: T,
+    /// Of velocities.
+    pub velocity: T,
+}
 
 /// How two states differ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
-    /// The first value that does, by id, in words.
+    /// The first value that does, in the order of the arrays and then of the ids, in words.
     pub first: String,
     /// Largest distance in units in the last place.
     pub max_ulp: PerQuantity<u32>,
     /// Largest distance, m and m/s; NaN where one of two values is.
     pub max_abs: PerQuantity<f64>,
+    /// Every array of the state in which a bit differs.
+    pub arrays: Vec<Array>,
 }
 
 /// Steps between two floats on the line of all floats; -0 and +0 are one step apart, as bits are what is compared.
@@ -24,45 +36,55 @@ pub fn ulp_distance(a: f32, b: f32) -> u32 {
     place(a).abs_diff(place(b)) as u32
 }
 
-/// What differs between two states, if any bit does. States of different sizes differ everywhere.
+/// What differs between two states, if any bit of any array does. States of different sizes differ everywhere.
 #[must_use]
 pub fn difference(want: &Snapshot, got: &Snapshot) -> Option<Difference> {
-    if want.position.len() != got.position.len() || want.velocity.len() != got.velocity.len() {
-        let (a, b) = (want.position.len(), got.position.len());
+    let state = || Array::ALL.iter().copied().filter(|array| array.class() == Class::State);
+    if let Some(array) = state().find(|&array| want.words(array).len() != got.words(array).len()) {
+        let [a, b] = [want, got].map(|state| state.words(array).len() / array.words());
         let max_abs = PerQuantity { position: f64::NAN, velocity: f64::NAN };
         let max_ulp = PerQuantity { position: u32::MAX, velocity: u32::MAX };
-        return Some(Difference { first: format!("{a} particles against {b}"), max_ulp, max_abs });
+        let first = format!("{}: {a} entries against {b}", array.name());
+        return Some(Difference { first, max_ulp, max_abs, arrays: state().collect() });
     }
-    let position = of_array("position", &want.position, &got.position);
-    let velocity = of_array("velocity", &want.velocity, &got.velocity);
+    let differing: Vec<ArrayDifference> = state().filter_map(|array| of_array(array, want, got)).collect();
     let step = (want.clock != got.clock).then(|| format!("the time step: {:?}, {:?}", want.clock, got.clock));
-    let first = position.first.or(velocity.first).or(step)?;
+    let first = differing.first().map(|found| found.first.clone()).or(step)?;
+    let of = |array| differing.iter().find(|found| found.array == array);
+    let (position, velocity) = (of(Array::position), of(Array::velocity));
+    let ulp = |found: Option<&ArrayDifference>| found.map_or(0, |found| found.ulp);
+    let abs = |found: Option<&ArrayDifference>| found.map_or(0.0, |found| found.abs);
     Some(Difference {
         first,
-        max_ulp: PerQuantity { position: position.ulp, velocity: velocity.ulp },
-        max_abs: PerQuantity { position: position.abs, velocity: velocity.abs },
+        max_ulp: PerQuantity { position: ulp(position), velocity: ulp(velocity) },
+        max_abs: PerQuantity { position: abs(position), velocity: abs(velocity) },
+        arrays: differing.iter().map(|found| found.array).collect(),
     })
 }
 
 struct ArrayDifference {
-    first: Option<String>,
+    array: Array,
+    first: String,
     ulp: u32,
     abs: f64,
 }
 
-fn of_array(name: &str, want: &[f32x4], got: &[f32x4]) -> ArrayDifference {
-    let mut out = ArrayDifference { first: None, ulp: 0, abs: 0.0 };
-    for (id, (a, b)) in want.iter().zip(got).enumerate() {
-        for (axis, (a, b)) in a.iter().zip(b).take(3).enumerate() {
-            if a.to_bits() != b.to_bits() {
-                let ulp = ulp_distance(*a, *b);
-                let axis = ["x", "y", "z"][axis];
-                out.first.get_or_insert_with(|| format!("{name}.{axis} of particle {id}: {a:e}, {b:e} ({ulp} ULP)"));
-                out.ulp = out.ulp.max(ulp);
-                let abs = (f64::from(*a) - f64::from(*b)).abs();
-                out.abs = if abs <= out.abs { out.abs } else { abs };
-            }
+/// All words of an entry are compared, its fourth number too.
+fn of_array(array: Array, want: &Snapshot, got: &Snapshot) -> Option<ArrayDifference> {
+    let mut out: Option<ArrayDifference> = None;
+    for (i, (a, b)) in want.words(array).iter().zip(got.words(array)).enumerate() {
+        if a == b {
+            continue;
         }
+        let (id, word) = (i / array.words(), ["x", "y", "z", "w"][i % array.words()]);
+        let [a, b] = [a, b].map(|bits| f32::from_bits(*bits));
+        let (ulp, abs) = (ulp_distance(a, b), (f64::from(a) - f64::from(b)).abs());
+        let found = out.get_or_insert_with(|| {
+            let first = format!("{}.{word} of particle {id}: {a:e}, {b:e} ({ulp} ULP)", array.name());
+            ArrayDifference { array, first, ulp: 0, abs: 0.0 }
+        });
+        found.ulp = found.ulp.max(ulp);
+        found.abs = if abs <= found.abs { found.abs } else { abs };
     }
     out
 }

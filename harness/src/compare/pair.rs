@@ -1,5 +1,5 @@
 //! What comes of holding one path against another, and how it is told.
-use super::difference::Difference;
+use super::difference::{Difference, PerQuantity};
 use crate::failure::Failure;
 use crate::timing::Milliseconds;
 use millpond_core::scene::Scene;
@@ -8,15 +8,6 @@ use serde::Serialize;
 /// How far a path that promises no bits may stray, as a share of the spacing and of the speed of sound. A difference of
 /// one ULP grows with the fluid's chaos; this is where a picture begins to show it.
 const TOLERANCE: f64 = 0.01;
-
-/// Position and velocity of something.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct PerQuantity<T> {
-    /// Of positions.
-    pub position: T,
-    /// Of velocities.
-    pub velocity: T,
-}
 
 /// One path held against another.
 #[derive(Clone, Debug, Serialize)]
@@ -37,6 +28,8 @@ pub struct Pair {
     pub within_tolerance: bool,
     /// The first value that differed, in words.
     pub first_difference: Option<String>,
+    /// Arrays of the state in which a bit differed, at any step.
+    pub differing_arrays: Vec<&'static str>,
     /// Does this path promise bits?
     pub promised: bool,
     /// Why it stopped early, if it did.
@@ -82,6 +75,7 @@ impl Pair {
             max_abs: PerQuantity::default(),
             within_tolerance: true,
             first_difference: None,
+            differing_arrays: Vec::new(),
             promised,
             failure: None,
             ms_per_step: Milliseconds::default(),
@@ -93,6 +87,11 @@ impl Pair {
         self.bit_equal = false;
         self.first_divergent_step.get_or_insert(step);
         self.first_difference.get_or_insert(found.first);
+        for name in found.arrays.iter().map(|array| array.name()) {
+            if !self.differing_arrays.contains(&name) {
+                self.differing_arrays.push(name);
+            }
+        }
         self.max_ulp.position = self.max_ulp.position.max(found.max_ulp.position);
         self.max_ulp.velocity = self.max_ulp.velocity.max(found.max_ulp.velocity);
         // NaN must win

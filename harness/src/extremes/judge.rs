@@ -1,11 +1,11 @@
 //! Runs a case on every backend and says what came of it.
 use super::{Case, End, Run};
 use crate::failure::Failure;
-use crate::fluid::Snapshot;
-use crate::memory::Heap;
 use crate::outcome::Figure;
+use crate::snapshot::Snapshot;
+use millpond_core::OwnedMemory;
 use millpond_core::scene::{Place, places};
-use millpond_core::{Needs, Plan, SceneError, Serial, Simd, Solver, StepError};
+use millpond_core::{Array, Plan, Requirements, SceneError, Serial, Simd, Solver, StepError};
 use millpond_gpu::{Gpu, GpuError, GpuSolver};
 use std::fmt;
 
@@ -141,7 +141,7 @@ fn with_solver<T>(case: &Case, work: impl FnOnce(Solver<'_>) -> T) -> Result<T, 
     // how much memory a scene needs is only to be said of one that can be
     case.scene.check()?;
     let at: Vec<Place> = case.places.clone().unwrap_or_else(|| places(&case.scene).collect());
-    let mut heap = Heap::with(Needs { particles: at.len(), ..Needs::of(&case.scene) });
+    let mut heap = OwnedMemory::with(&Requirements::of(&case.scene).for_particles(at.len()));
     Solver::with_particles(&case.scene, Plan::of(&case.scene), at.len(), at, heap.lend()).map(work)
 }
 
@@ -186,8 +186,8 @@ fn step(fluid: &mut GpuSolver, steps: u32) -> Result<Option<StepError>, Failure>
 
 /// Numbers of a state that are none, or infinite.
 fn not_finite(state: &Snapshot) -> usize {
-    let all = [&state.position, &state.velocity, &state.density_pressure, &state.heat, &state.surface];
-    all.into_iter().flatten().flatten().filter(|x| !x.is_finite()).count()
+    let vectors = Array::ALL.iter().filter(|array| array.is_vector());
+    vectors.flat_map(|&array| state.vectors(array)).flatten().filter(|x| !x.is_finite()).count()
 }
 
 #[cfg(test)]
@@ -197,10 +197,10 @@ mod tests {
     #[test]
     fn a_state_that_was_changed_and_one_that_is_another_are_found() {
         let ended = |end: Snapshot| Ended { backend: "", steps: 1, refusal: None, kept: true, start: end.clone(), end };
-        let state = Snapshot { position: vec![[1.0; 4]], ..Snapshot::default() };
+        let state = Snapshot::of_particles(&[[1.0; 4]], &[]);
         assert!(between(&ended(state.clone()), &[ended(state.clone())]).is_empty());
         let mut other = state.clone();
-        other.position[0][1] = 1.0f32.next_up();
+        other.words_mut(Array::position)[1] = 1.0f32.next_up().to_bits();
         assert!(matches!(between(&ended(state.clone()), &[ended(other)])[..], [Fault::Parted(_)]));
         let changed = Ended { kept: false, ..ended(state.clone()) };
         assert!(matches!(between(&ended(state), &[changed])[..], [Fault::Changed(_)]));

@@ -67,7 +67,7 @@ fn off_fall(run: &Run<'_>) -> f64 {
     let g = run.scene.gravity.map(f64::from);
     let way = g.iter().map(|g| g * g).sum::<f64>().sqrt() * t * t / 2.0;
     let mut off = 0.0f64;
-    for ((x0, v0), x) in run.start.position.iter().zip(&run.start.velocity).zip(&run.end.position) {
+    for ((x0, v0), x) in run.start.position().iter().zip(run.start.velocity()).zip(run.end.position()) {
         for axis in 0..3 {
             let due = f64::from(x0[axis]) + f64::from(v0[axis]) * t + g[axis] * t * t / 2.0;
             let miss = (f64::from(x[axis]) - due).abs() / way;
@@ -79,18 +79,18 @@ fn off_fall(run: &Run<'_>) -> f64 {
 }
 
 fn moved(run: &Run<'_>) -> usize {
-    run.start.position.iter().zip(&run.end.position).filter(|(before, after)| before != after).count()
+    run.start.position().iter().zip(run.end.position()).filter(|(before, after)| before != after).count()
 }
 
 fn drifting(run: &Run<'_>) -> usize {
-    run.end.velocity.iter().filter(|v| v[..3].iter().any(|x| x.to_bits() != 0)).count()
+    run.end.velocity().iter().filter(|v| v[..3].iter().any(|x| x.to_bits() != 0)).count()
 }
 
 fn outside(run: &Run<'_>) -> usize {
     let Some(container) = &run.scene.container else { return 0 };
     let inside = |x: &[f32; 4], axis: usize| container.low[axis] <= x[axis] && x[axis] <= container.high[axis];
     let axes = run.scene.dimension.count();
-    run.end.position.iter().filter(|x| !(0..axes).all(|axis| inside(x, axis))).count()
+    run.end.position().iter().filter(|x| !(0..axes).all(|axis| inside(x, axis))).count()
 }
 
 /// Warnings that `run` would give.

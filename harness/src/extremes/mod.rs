@@ -16,8 +16,8 @@ pub use judge::{Fault, Verdict, judge};
 pub use measures::Measure;
 
 use crate::failure::Failure;
-use crate::fluid::Snapshot;
 use crate::scenes::{Changes, load};
+use crate::snapshot::Snapshot;
 use millpond_core::scene::{Place, Scene};
 use millpond_core::{SceneError, StepError};
 

@@ -2,7 +2,7 @@
 use super::settings::CELLS;
 use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
-use millpond_core::error::Quantity;
+use millpond_core::Quantity;
 use millpond_core::guided::parameters;
 use millpond_core::scene::{GridStructure, NearPressure, Place, Scene};
 use millpond_core::{SceneError, StepError};

@@ -1,12 +1,12 @@
 //! Is a run stable? Criteria that hold for any scene, and the run that is held against them.
 use super::bounds::{Bound, bounds};
 use crate::energy::{DENSITY_LIMIT, GROWTH_LIMIT, driven_by, scale, total};
-use crate::memory::Heap;
 use crate::output::seconds;
 use crate::scenes::MOST_BYTES;
+use millpond_core::OwnedMemory;
 use millpond_core::guided::support_radius;
 use millpond_core::scene::Scene;
-use millpond_core::{Needs, SceneError, Serial, Solver, StepError};
+use millpond_core::{Requirements, SceneError, Serial, Solver, StepError};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -171,7 +171,7 @@ pub(super) fn classify(scene: &Scene, time: f64, most: u64, mut watch: impl FnMu
     if let Err(error) = scene.check() {
         return refused(error);
     }
-    let bytes = Needs::of(scene).bytes();
+    let bytes = Requirements::of(scene).bytes();
     if bytes > MOST_BYTES {
         return ended(Verdict::Refused(format!("the scene needs {bytes} bytes, and {MOST_BYTES} are given to one")), 0);
     }
@@ -179,7 +179,7 @@ pub(super) fn classify(scene: &Scene, time: f64, most: u64, mut watch: impl FnMu
     if needed > most {
         return ended(Verdict::TooManySteps(TooManySteps { needed, most }), 0);
     }
-    let mut heap = Heap::of(scene);
+    let mut heap = OwnedMemory::of(scene);
     let mut solver = match Solver::new(scene, heap.lend()) {
         Ok(solver) => solver,
         Err(error) => return refused(error),

@@ -73,6 +73,12 @@ pub fn knows_velocity(m: &Model) -> bool {
     return m.integrator == EULER || m.integrator == SEMI_IMPLICIT_EULER;
 }
 
+/// Do passes over pairs need the velocities at the end of a step before there are any?
+#[inline(always)]
+pub fn needs_predicted_velocity(m: &Model) -> bool {
+    return m.thermal_energy == 1 || m.xsph == 1 || m.reevaluates == 1;
+}
+
 /// Where forces are evaluated, m.
 #[inline(always)]
 pub fn moved<R: Real>(m: &Model, p: &Parameters, x: vec3<R>, v: vec3<R>, a: vec3<R>, history: vec3<R>) -> vec3<R> {

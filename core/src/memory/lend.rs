@@ -1,0 +1,88 @@
+//! How memory is lent to a solver: arrays by their names, and an arena for all that have none.
+use super::requirements::Requirements;
+use super::views::Arrays;
+use crate::error::SceneError;
+use crate::plan::arrays::{Array, Unit};
+use bytemuck::Pod;
+
+/// Words to which arrays in an arena are aligned: a cache line.
+pub(super) const LINE_WORDS: usize = 16;
+
+/// Memory lent to a solver: some arrays by name, as [`Storage`](super::Storage) does, all others in an arena. It may be larger than a
+/// scene needs.
+#[derive(Debug)]
+pub struct Memory<'m> {
+    named: [[&'m mut [u32]; 2]; Array::COUNT],
+    arena: &'m mut [u32],
+    most_neighbours: usize,
+}
+
+impl<'m> Memory<'m> {
+    /// An arena alone. Its first bytes, up to a multiple of four, may go unused.
+    #[must_use]
+    pub fn of_arena(arena: &'m mut [u8]) -> Memory<'m> {
+        let named = core::array::from_fn(|_| Default::default());
+        Memory { named, arena: &mut [], most_neighbours: usize::MAX }.with_arena_bytes(arena)
+    }
+
+    pub(super) fn with_arena_bytes(mut self, arena: &'m mut [u8]) -> Memory<'m> {
+        (_, self.arena, _) = bytemuck::pod_align_to_mut(arena);
+        self
+    }
+
+    /// The same with an array by name, in one copy or two.
+    #[must_use]
+    pub(crate) fn with<T: Pod>(mut self, array: Array, copies: impl IntoIterator<Item = &'m mut [T]>) -> Memory<'m> {
+        for (named, copy) in self.named[array as usize].iter_mut().zip(copies) {
+            *named = bytemuck::cast_slice_mut(copy);
+        }
+        self
+    }
+
+    /// The same with neighbour lists of so many entries at most, 0 for none: they save time and never change a bit, since a block whose
+    /// list does not fit walks its cells again.
+    #[must_use]
+    pub fn with_neighbour_entries(self, most: usize) -> Memory<'m> {
+        Memory { most_neighbours: most, ..self }
+    }
+
+    /// The arrays of a simulation with these requirements.
+    pub(crate) fn carve(self, requirements: &Requirements) -> Result<Arrays<'m>, SceneError> {
+        let Memory { named, arena, most_neighbours } = self;
+        let unnamed = |array: &&Array| named[**array as usize][0].is_empty();
+        let needed = Array::ALL.iter().filter(unnamed).map(|&array| requirements.arena_bytes_of(array)).sum();
+        let too_small =
+            SceneError::CapacityExceeded { what: "bytes of arena", needed, capacity: arena.len() * size_of::<u32>() };
+        Arrays::carve(&mut Lender { named, arena, most_neighbours, requirements, too_small })
+    }
+}
+
+/// Hands out the arrays.
+pub(super) struct Lender<'m, 'r> {
+    named: [[&'m mut [u32]; 2]; Array::COUNT],
+    arena: &'m mut [u32],
+    most_neighbours: usize,
+    requirements: &'r Requirements,
+    too_small: SceneError,
+}
+
+impl<'m> Lender<'m, '_> {
+    /// A copy of an array, as long as it must be, all zero where it comes from the arena.
+    pub(super) fn take<T: Pod>(&mut self, array: Array, copy: usize) -> Result<&'m mut [T], SceneError> {
+        let mut entries = if copy < self.requirements.copies(array) { self.requirements.entries(array) } else { 0 };
+        if array.unit() == Unit::NeighbourEntry {
+            // entries are named by u32
+            entries = entries.min(self.most_neighbours).min(u32::MAX as usize);
+        }
+        let words = entries * array.words();
+        let named = core::mem::take(&mut self.named[array as usize][copy]);
+        if !named.is_empty() {
+            let capacity = named.len() / array.words();
+            let error = SceneError::CapacityExceeded { what: array.name(), needed: entries, capacity };
+            return named.get_mut(..words).map(bytemuck::cast_slice_mut).ok_or(error);
+        }
+        let own = self.arena.split_off_mut(..words.next_multiple_of(LINE_WORDS)).ok_or(self.too_small)?;
+        own.fill(0);
+        Ok(bytemuck::cast_slice_mut(&mut own[..words]))
+    }
+}

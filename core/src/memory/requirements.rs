@@ -1,0 +1,133 @@
+//! How much memory a scene needs, array by array.
+use super::lend::LINE_WORDS;
+use crate::layout::{Model, TABLE_WORDS};
+use crate::plan::Plan;
+use crate::plan::arrays::{Array, Unit};
+use crate::scene::Scene;
+
+/// Entries of the neighbour lists for each particle. A block whose list is full walks its cells again; 25 was the largest mean seen in
+/// moving fluid of 27 to 32 neighbours.
+pub const LIST_ENTRIES: usize = 32;
+
+/// What a scene has how many of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Particles, those of walls and the inactive ones of air too.
+    pub particles: usize,
+    /// Cells; with air one more than the grid has, for inactive particles.
+    pub cells: usize,
+    /// Ends of springs, two a spring.
+    pub spring_ends: usize,
+    /// Particles of air that there can be.
+    pub air: usize,
+    /// Nodes of the host's acceleration field.
+    pub field_nodes: usize,
+}
+
+/// How much memory a scene needs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Requirements {
+    /// Which arrays there are.
+    model: Model,
+    /// And how long they are.
+    pub counts: Counts,
+}
+
+impl Requirements {
+    /// Of a scene that [`Scene::check`] accepts.
+    #[must_use]
+    pub fn of(scene: &Scene) -> Requirements {
+        Requirements::by_plan(scene, &Plan::of(scene))
+    }
+
+    /// Of a scene by this plan of it.
+    #[must_use]
+    pub fn by_plan(scene: &Scene, plan: &Plan) -> Requirements {
+        let model = plan.model;
+        let cells = scene.cells().iter().map(|&n| n as usize).product::<usize>() + model.air as usize;
+        let counts = Counts {
+            particles: scene.particle_count(),
+            cells,
+            spring_ends: if model.springs == 1 { scene.spring_ends() } else { 0 },
+            air: scene.air_capacity(),
+            field_nodes: scene.field_counts()[3] as usize,
+        };
+        Requirements { model, counts }
+    }
+
+    /// Of this model, and so many of everything.
+    #[must_use]
+    pub fn by_model(model: Model, counts: Counts) -> Requirements {
+        Requirements { model, counts }
+    }
+
+    /// The same for another number of particles.
+    #[must_use]
+    pub fn for_particles(mut self, particles: usize) -> Requirements {
+        self.counts.particles = particles;
+        self
+    }
+
+    /// Which arrays there are.
+    #[must_use]
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// Entries of an array, if it exists.
+    #[must_use]
+    pub fn entries(&self, array: Array) -> usize {
+        let Counts { particles, cells, spring_ends, air, field_nodes } = self.counts;
+        if !array.exists(&self.model) {
+            return 0;
+        }
+        match array.unit() {
+            Unit::Particle => particles,
+            Unit::Cell => cells,
+            Unit::CellPlace => cells.saturating_mul(self.model.cell_places as usize),
+            Unit::NeighbourEntry => particles.saturating_mul(LIST_ENTRIES),
+            Unit::SpringEnd => spring_ends,
+            Unit::SpawnRequest => particles.saturating_add(air),
+            Unit::FieldNode => field_nodes,
+            Unit::TableWord => TABLE_WORDS,
+        }
+    }
+
+    /// Copies of an array: 0, 1 or 2.
+    #[must_use]
+    pub fn copies(&self, array: Array) -> usize {
+        array.copies(&self.model)
+    }
+
+    /// Bytes of an array, all of its copies.
+    #[must_use]
+    pub fn bytes_of(&self, array: Array) -> usize {
+        self.copies(array).saturating_mul(self.entries(array)).saturating_mul(array.words() * size_of::<u32>())
+    }
+
+    /// Bytes of all arrays.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        Array::ALL.iter().map(|&array| self.bytes_of(array)).fold(0, usize::saturating_add)
+    }
+
+    /// Bytes that an array takes of an arena, where each copy begins at a cache line.
+    pub(super) fn arena_bytes_of(&self, array: Array) -> usize {
+        let line = LINE_WORDS * size_of::<u32>();
+        let copy = self.entries(array).saturating_mul(array.words() * size_of::<u32>());
+        self.copies(array).saturating_mul(copy.div_ceil(line).saturating_mul(line))
+    }
+
+    /// Bytes of an arena that holds everything.
+    #[must_use]
+    pub fn arena_bytes(&self) -> usize {
+        Array::ALL.iter().map(|&array| self.arena_bytes_of(array)).fold(0, usize::saturating_add)
+    }
+
+    /// Bytes of an arena beside a [`Storage`](super::Storage) with places for this scene's cell lists, where it has any.
+    #[must_use]
+    pub fn arena_bytes_beside_storage(&self) -> usize {
+        let optional = Array::ALL.iter().filter(|array| !super::storage::NAMED.contains(array));
+        optional.map(|&array| self.arena_bytes_of(array)).fold(0, usize::saturating_add)
+    }
+}

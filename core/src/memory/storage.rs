@@ -1,0 +1,171 @@
+//! Memory as preallocated static arrays, to be lent to the solver.
+//!
+//! [`Storage`] and [`Arena`] are all zero, so as a `static` they lie in .bss and cost the binary nothing. The solver itself only sees
+//! slices of any origin, and so is compiled once for every capacity.
+use super::lend::Memory;
+use super::requirements::LIST_ENTRIES;
+use crate::layout::{f32x4, u32x2};
+use crate::plan::arrays::Array;
+
+/// Memory for `N` particles and `CELLS` cells, with `PLACES` places a cell for cell lists (0, the default, for the index sort): the
+/// arrays that every scene has, by name. What only some choices need comes from an [`Arena`] beside it.
+///
+/// As a `static`, or made by [`Storage::boxed`], it never meets the stack, which a large one would overflow.
+///
+/// ```
+/// use millpond_core::Storage;
+/// use std::sync::Mutex;
+/// static STORAGE: Mutex<Storage<4096, 32768>> = Mutex::new(Storage::new());
+/// let mut storage = STORAGE.lock().expect("nobody else holds it");
+/// let memory = storage.lend();
+/// ```
+#[derive(Debug, bytemuck::Zeroable)]
+pub struct Storage<const N: usize, const CELLS: usize, const PLACES: usize = 0> {
+    position: [[f32x4; N]; 2],
+    velocity: [[f32x4; N]; 2],
+    acceleration: [[f32x4; N]; 2],
+    density_pressure: [[f32x4; N]; 2],
+    id: [[u32; N]; 2],
+    slot_of_id: [[u32; N]; 2],
+    moved_position: [[f32x4; N]; 1],
+    moved_velocity: [[f32x4; N]; 1],
+    cell: [[u32; N]; 1],
+    rank: [[u32; N]; 1],
+    cell_members: [[u32; N]; 1],
+    source_slot: [[u32; N]; 1],
+    neighbour_ranges: [[u32x2; N]; 1],
+    neighbours: [[u32; LIST_ENTRIES]; N],
+    grid_cells: [[u32; PLACES]; CELLS],
+    grid_cell_counters: [u32; CELLS],
+    cell_start: [u32; CELLS],
+}
+
+/// The arrays that a storage has by name.
+pub(super) const NAMED: [Array; 17] = [
+    Array::position,
+    Array::velocity,
+    Array::acceleration,
+    Array::density_pressure,
+    Array::id,
+    Array::slot_of_id,
+    Array::moved_position,
+    Array::moved_velocity,
+    Array::cell,
+    Array::rank,
+    Array::cell_members,
+    Array::source_slot,
+    Array::neighbour_ranges,
+    Array::neighbours,
+    Array::grid_cells,
+    Array::grid_cell_counters,
+    Array::cell_start,
+];
+
+impl<const N: usize, const CELLS: usize, const PLACES: usize> Storage<N, CELLS, PLACES> {
+    /// All zero: for a `static`. On the heap take [`Storage::boxed`], since a value of this size is no good on the stack.
+    #[must_use]
+    #[expect(clippy::new_without_default, reason = "a default would be made on the stack")]
+    pub const fn new() -> Self {
+        Storage {
+            position: [[[0.0; 4]; N]; 2],
+            velocity: [[[0.0; 4]; N]; 2],
+            acceleration: [[[0.0; 4]; N]; 2],
+            density_pressure: [[[0.0; 4]; N]; 2],
+            id: [[0; N]; 2],
+            slot_of_id: [[0; N]; 2],
+            moved_position: [[[0.0; 4]; N]; 1],
+            moved_velocity: [[[0.0; 4]; N]; 1],
+            cell: [[0; N]; 1],
+            rank: [[0; N]; 1],
+            cell_members: [[0; N]; 1],
+            source_slot: [[0; N]; 1],
+            neighbour_ranges: [[[0; 2]; N]; 1],
+            neighbours: [[0; LIST_ENTRIES]; N],
+            grid_cells: [[0; PLACES]; CELLS],
+            grid_cell_counters: [0; CELLS],
+            cell_start: [0; CELLS],
+        }
+    }
+
+    /// All zero, on the heap, without ever having been on the stack.
+    ///
+    /// ```
+    /// use millpond_core::Storage;
+    /// let mut storage: Box<Storage<4096, 32768>> = Storage::boxed();
+    /// let memory = storage.lend();
+    /// ```
+    #[cfg(feature = "alloc")]
+    #[must_use]
+    pub fn boxed() -> alloc::boxed::Box<Self> {
+        bytemuck::zeroed_box()
+    }
+
+    /// Lends all of it.
+    pub fn lend(&mut self) -> Memory<'_> {
+        fn each<T, const M: usize, const COPIES: usize>(
+            copies: &mut [[T; M]; COPIES],
+        ) -> impl Iterator<Item = &mut [T]> {
+            copies.iter_mut().map(<[T; M]>::as_mut_slice)
+        }
+        Memory::of_arena(&mut [])
+            .with(Array::position, each(&mut self.position))
+            .with(Array::velocity, each(&mut self.velocity))
+            .with(Array::acceleration, each(&mut self.acceleration))
+            .with(Array::density_pressure, each(&mut self.density_pressure))
+            .with(Array::id, each(&mut self.id))
+            .with(Array::slot_of_id, each(&mut self.slot_of_id))
+            .with(Array::moved_position, each(&mut self.moved_position))
+            .with(Array::moved_velocity, each(&mut self.moved_velocity))
+            .with(Array::cell, each(&mut self.cell))
+            .with(Array::rank, each(&mut self.rank))
+            .with(Array::cell_members, each(&mut self.cell_members))
+            .with(Array::source_slot, each(&mut self.source_slot))
+            .with(Array::neighbour_ranges, each(&mut self.neighbour_ranges))
+            .with(Array::neighbours, [self.neighbours.as_flattened_mut()])
+            .with(Array::grid_cells, [self.grid_cells.as_flattened_mut()])
+            .with(Array::grid_cell_counters, [self.grid_cell_counters.as_mut_slice()])
+            .with(Array::cell_start, [self.cell_start.as_mut_slice()])
+    }
+}
+
+/// Memory for all arrays that a scene has beside those of a [`Storage`], or for all of them:
+/// [`Requirements`](super::Requirements) say how many bytes.
+///
+/// ```
+/// use millpond_core::{Arena, Storage};
+/// let mut storage: Box<Storage<4096, 32768>> = Storage::boxed();
+/// let mut arena: Box<Arena<{ 1 << 20 }>> = Arena::boxed();
+/// let memory = storage.lend().with_arena(&mut arena);
+/// ```
+#[derive(Debug, bytemuck::Zeroable)]
+#[repr(C, align(64))]
+pub struct Arena<const BYTES: usize>([u8; BYTES]);
+
+impl<const BYTES: usize> Arena<BYTES> {
+    /// All zero: for a `static`.
+    #[must_use]
+    #[expect(clippy::new_without_default, reason = "a default would be made on the stack")]
+    pub const fn new() -> Self {
+        Arena([0; BYTES])
+    }
+
+    /// All zero, on the heap, without ever having been on the stack.
+    #[cfg(feature = "alloc")]
+    #[must_use]
+    pub fn boxed() -> alloc::boxed::Box<Self> {
+        bytemuck::zeroed_box()
+    }
+
+    /// Lends all of it, for a scene that needs no [`Storage`].
+    pub fn lend(&mut self) -> Memory<'_> {
+        Memory::of_arena(&mut self.0)
+    }
+}
+
+impl<'m> Memory<'m> {
+    /// The same, with all that has no name in an arena.
+    #[must_use]
+    pub fn with_arena<const BYTES: usize>(self, arena: &'m mut Arena<BYTES>) -> Memory<'m> {
+        self.with_arena_bytes(&mut arena.0)
+    }
+}

@@ -1,0 +1,93 @@
+//! The arrays of a simulation as slices, made from the table of arrays. What a scene does without has no entries.
+use super::lend::Lender;
+use crate::error::SceneError;
+use crate::layout::{Model, f32x4, u32x2, u32x4};
+use crate::plan::arrays::{Array, with_arrays};
+
+macro_rules! views {
+    (
+        State { $($(#[$state_doc:meta])* $state:ident as $quantity:ident: $state_type:ident per $state_unit:ident,
+            if $state_exists:expr $(, constant if $constant:expr)? $(, from $state_from:ident $(@ $state_side:ident)?)?;)* }
+        Index { $($(#[$index_doc:meta])* $index:ident: $index_type:ident per $index_unit:ident, if $index_exists:expr;)* }
+        Scratch { $($(#[$scratch_doc:meta])* $scratch:ident: $scratch_type:ident per $scratch_unit:ident,
+            if $scratch_exists:expr $(, from $from:ident $(@ $side:ident)?)?;)* }
+        Given { $($(#[$given_doc:meta])* $given:ident: $given_type:ident per $given_unit:ident, if $given_exists:expr;)* }
+    ) => {
+        view! {
+            /// The arrays of one state. A step reads one and writes the other.
+            State { $($(#[$state_doc])* $state: $state_type,)* $($(#[$index_doc])* $index: $index_type,)* }
+        }
+        view! {
+            /// What a step works in and forgets.
+            Scratch { $($(#[$scratch_doc])* $scratch: $scratch_type,)* }
+        }
+        view! {
+            /// What steps only read.
+            Given { $($(#[$given_doc])* $given: $given_type,)* }
+        }
+
+        impl State<'_> {
+            /// Hands the arrays that a scene never changes, of which there is one copy, from one state to the other.
+            pub(crate) fn pass_on_constants(&mut self, other: &mut Self, model: &Model) {
+                $(if Array::$state.copies(model) == 1 {
+                    core::mem::swap(&mut self.$state, &mut other.$state);
+                })*
+            }
+        }
+    };
+}
+
+macro_rules! view {
+    ($(#[$doc:meta])* $view:ident { $($(#[$field_doc:meta])* $name:ident: $type:ident,)* }) => {
+        $(#[$doc])*
+        #[derive(Debug)]
+        pub struct $view<'m> { $($(#[$field_doc])* pub $name: &'m mut [$type],)* }
+
+        impl<'m> $view<'m> {
+            /// Takes copy 0 or 1 of each of its arrays.
+            pub(super) fn carve(lender: &mut Lender<'m, '_>, copy: usize) -> Result<Self, SceneError> {
+                Ok($view { $($name: lender.take(Array::$name, copy)?,)* })
+            }
+
+            /// An array as words of four bytes; empty for one that is not among these.
+            #[must_use]
+            pub fn words(&self, array: Array) -> &[u32] {
+                match array {
+                    $(Array::$name => bytemuck::cast_slice(self.$name),)*
+                    _ => &[],
+                }
+            }
+
+            /// The same, to be written.
+            pub(crate) fn words_mut(&mut self, array: Array) -> &mut [u32] {
+                match array {
+                    $(Array::$name => bytemuck::cast_slice_mut(self.$name),)*
+                    _ => &mut [],
+                }
+            }
+        }
+    };
+}
+
+with_arrays!(views);
+
+/// All of them.
+#[derive(Debug)]
+pub struct Arrays<'m> {
+    /// The two states.
+    pub states: [State<'m>; 2],
+    /// What a step works in and forgets.
+    pub scratch: Scratch<'m>,
+    /// What steps only read.
+    pub given: Given<'m>,
+}
+
+impl<'m> Arrays<'m> {
+    pub(super) fn carve(lender: &mut Lender<'m, '_>) -> Result<Arrays<'m>, SceneError> {
+        Ok(Arrays {
+            states: [State::carve(lender, 0)?, State::carve(lender, 1)?],
+            scratch: Scratch::carve(lender, 0)?,
+            given: Given::carve(lender, 0)?,
+        })
+    }
+}

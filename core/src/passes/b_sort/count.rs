@@ -1,0 +1,71 @@
+//! The cell that each particle comes to, how many particles each cell gets, and how many of its cell were counted before each.
+//!
+//! Counting is serial: it is one increment a particle. On a GPU the ranks depend on who comes first; `sort_by_id` undoes that.
+//! Inactive particles come to the last cell, wherever they lie.
+use crate::error::StepError;
+use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::grid::cell_of;
+use crate::layout::{NONE, f32x4};
+use crate::passes::context::{Setup, Step};
+use crate::passes::g_finish::commit::verdict;
+use crate::passes::lanes::is_dormant;
+
+struct Job<'a> {
+    position: &'a [f32x4],
+    velocity: &'a [f32x4],
+    id: &'a [u32],
+    cell: &'a mut [u32],
+    /// Smallest `4 id + axis` beyond the grid's range.
+    out_of_range: u32,
+}
+
+/// Fills `cell`, `rank` and the counters.
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+    let s = &mut *step.scratch;
+    let moved = [&*s.moved_position, &*s.moved_velocity];
+    step.found.status.out_of_range = find(step.setup, step.executor, moved, step.old.id, s.cell);
+    verdict(&step.found.status, step.setup.model.cell_places)?;
+    count(s.cell, s.rank, s.grid_cell_counters);
+    Ok(())
+}
+
+/// Fills `cell`; returns the smallest `4 id + axis` out of range, or [`NONE`].
+fn find(
+    setup: Setup<'_>,
+    executor: &impl Executor,
+    [position, velocity]: [&[f32x4]; 2],
+    id: &[u32],
+    cell: &mut [u32],
+) -> u32 {
+    let (m, p) = (setup.model, setup.parameters);
+    let mut cells = cell;
+    let mut jobs = Jobs::new();
+    for slots in shares(id.len(), parts(executor)) {
+        let cell = take(&mut cells, slots.len());
+        let (position, velocity) = (&position[slots.clone()], &velocity[slots.clone()]);
+        let _ = jobs.push(Job { position, velocity, id: &id[slots], cell, out_of_range: NONE });
+    }
+    executor.run(&mut jobs, |job| {
+        for (((cell, x), v), id) in job.cell.iter_mut().zip(job.position).zip(job.velocity).zip(job.id) {
+            if m.air == 1 && is_dormant(p, v[3]) {
+                *cell = p.cells[3] - 1;
+                continue;
+            }
+            match cell_of(p, *x) {
+                Ok(index) => *cell = index,
+                Err(axis) => job.out_of_range = job.out_of_range.min(4 * id + axis),
+            }
+        }
+    });
+    jobs.iter().map(|job| job.out_of_range).min().unwrap_or(NONE)
+}
+
+/// Fills `counter` and `rank`.
+pub(crate) fn count(cell: &[u32], rank: &mut [u32], counter: &mut [u32]) {
+    counter.fill(0);
+    for (rank, &cell) in rank.iter_mut().zip(cell) {
+        let count = &mut counter[cell as usize];
+        *rank = *count;
+        *count += 1;
+    }
+}

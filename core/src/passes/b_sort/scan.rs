@@ -1,0 +1,18 @@
+//! First slot of each cell: the running sum of the counts (S1 section 6.2).
+use crate::error::StepError;
+use crate::passes::context::Step;
+
+/// Fills `cell_start`.
+pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) -> Result<(), StepError> {
+    scan(step.scratch.grid_cell_counters, step.scratch.cell_start);
+    Ok(())
+}
+
+/// Fills `start`.
+pub(crate) fn scan(counter: &[u32], start: &mut [u32]) {
+    let mut slot = 0;
+    for (start, count) in start.iter_mut().zip(counter) {
+        *start = slot;
+        slot += count;
+    }
+}

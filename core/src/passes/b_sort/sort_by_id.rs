@@ -1,0 +1,68 @@
+//! Ascending id inside each cell: the order of every sum, whatever the grid, its structure and the past.
+//!
+//! Inactive particles stay unsorted: nothing is ever summed over them, and there may be many in their one cell.
+//!
+//! Insertion sort: a cell holds few particles, and most of them stood in this order before.
+use crate::error::StepError;
+use crate::executor::{Executor, Jobs, parts, take};
+use crate::grid::{Cells, is_limbo};
+use crate::passes::context::Step;
+use core::ops::Range;
+
+struct Job<'a> {
+    cells: Range<usize>,
+    first_slot: usize,
+    source_slot: &'a mut [u32],
+    id: &'a mut [u32],
+}
+
+/// Fills `source_slot` and `id`.
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+    let (setup, old_id, s) = (step.setup, &*step.old.id, &mut *step.scratch);
+    let places = setup.model.cell_places as usize;
+    let (cell_members, grid_cells) = (&*s.cell_members, &*s.grid_cells);
+    let cells = Cells { start: s.cell_start, counter: s.grid_cell_counters };
+    let (mut sources, mut ids) = (&mut *s.source_slot, &mut *step.new.id);
+    let mut jobs = Jobs::new();
+    for (share, slots) in cells.shares(parts(step.executor), old_id.len()) {
+        let (source_slot, id) = (take(&mut sources, slots.len()), take(&mut ids, slots.len()));
+        let _ = jobs.push(Job { cells: share, first_slot: slots.start, source_slot, id });
+    }
+    step.executor.run(&mut jobs, |job| {
+        for cell in job.cells.clone() {
+            let members = cells.members(cell);
+            if members.is_empty() {
+                continue;
+            }
+            let slots = members.start - job.first_slot..members.end - job.first_slot;
+            let first_place = cell * places;
+            let unsorted =
+                if places > 0 { &grid_cells[first_place..first_place + members.len()] } else { &cell_members[members] };
+            let (source_slot, id) = (&mut job.source_slot[slots.clone()], &mut job.id[slots]);
+            if is_limbo(setup.model, setup.parameters, cell) {
+                source_slot.copy_from_slice(unsorted);
+                for (id, &slot) in id.iter_mut().zip(unsorted) {
+                    *id = old_id[slot as usize];
+                }
+                continue;
+            }
+            sort(old_id, unsorted, source_slot, id);
+        }
+    });
+    Ok(())
+}
+
+/// Fills `sorted` with `unsorted` by `old_id`, and `id` with the sorted ids.
+fn sort(old_id: &[u32], unsorted: &[u32], sorted: &mut [u32], id: &mut [u32]) {
+    for (i, &slot) in unsorted.iter().enumerate() {
+        let key = old_id[slot as usize];
+        let mut j = i;
+        while j > 0 && id[j - 1] > key {
+            sorted[j] = sorted[j - 1];
+            id[j] = id[j - 1];
+            j -= 1;
+        }
+        sorted[j] = slot;
+        id[j] = key;
+    }
+}

@@ -1,0 +1,103 @@
+//! Second half of the integrator, then the walls.
+use crate::arithmetic::level::Work;
+use crate::arithmetic::real::{Real, real, vec3};
+use crate::error::StepError;
+use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::layout::f32x4;
+use crate::passes::context::{Setup, Step};
+use crate::passes::lanes::{load, load_if_any, row_of, store_xyz};
+use crate::terms::boundary::{depth_behind, depth_if_free, put_back, reflect, select_if_behind};
+use crate::terms::integrate::{
+    has_history, history_after, history_turned, moves_again, needs_earlier, needs_predicted_velocity, position_after,
+    velocity_after, wrap,
+};
+use crate::terms::wall::only_if_free;
+
+struct Job<'a> {
+    setup: Setup<'a>,
+    position: &'a mut [f32x4],
+    velocity: &'a mut [f32x4],
+    history: &'a mut [f32x4],
+    acceleration: &'a [f32x4],
+    earlier: &'a [f32x4],
+    ahead: &'a [f32x4],
+}
+
+/// Finishes positions, velocities and what is remembered of the step.
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+    let (setup, new) = (step.setup, &mut *step.new);
+    // a step that only evaluates forces has the arrays, and nothing in them
+    let if_needed = |needed: bool, array| if needed { array } else { &[][..] };
+    let earlier = if_needed(needs_earlier(setup.model), &*step.scratch.start_acceleration);
+    let ahead = if_needed(needs_predicted_velocity(setup.model), &*step.scratch.end_velocity);
+    let count = new.id.len();
+    let (mut positions, mut velocities, mut histories) = (&mut *new.position, &mut *new.velocity, &mut *new.history);
+    let mut jobs = Jobs::new();
+    for slots in shares(count, parts(step.executor)) {
+        let history = if histories.is_empty() { &mut [] } else { take(&mut histories, slots.len()) };
+        let job = Job {
+            setup,
+            position: take(&mut positions, slots.len()),
+            velocity: take(&mut velocities, slots.len()),
+            history,
+            acceleration: &new.acceleration[slots.clone()],
+            earlier: earlier.get(slots.clone()).unwrap_or_default(),
+            ahead: ahead.get(slots).unwrap_or_default(),
+        };
+        let _ = jobs.push(job);
+    }
+    step.executor.run(&mut jobs, work);
+    Ok(())
+}
+
+/// Compiled once, in this crate: see [`PairPass::work`](crate::passes::pairs::PairPass::work).
+fn work(job: &mut Job<'_>) {
+    let simd = job.setup.simd;
+    simd.run(job);
+}
+
+impl Work for &mut Job<'_> {
+    #[inline(always)]
+    fn run<R: Real>(self) {
+        let (m, p) = (self.setup.model, self.setup.parameters);
+        let count = self.velocity.len();
+        for first in (0..count).step_by(R::LANES) {
+            let end = (first + R::LANES).min(count);
+            let last = end - 1;
+            let a = load::<R>(self.acceleration, first, last);
+            let earlier = load_if_any(self.earlier, first, last);
+            let before = load_if_any(self.history, first, last);
+            let mut v = if self.ahead.is_empty() {
+                velocity_after(m, p, load(self.velocity, first, last), a, earlier, before)
+            } else {
+                load(self.ahead, first, last)
+            };
+            let mut history = history_after(m, p, earlier, before);
+            if m.walls == 1 || moves_again(m) {
+                let mut x = load::<R>(self.position, first, last);
+                let wall = row_of::<R>(m, &p.species, self.velocity, first, last, 1);
+                if moves_again(m) {
+                    x = wrap(m, p, only_if_free(m, x, position_after(m, p, x, a, earlier, before), wall));
+                }
+                if m.walls == 1 {
+                    for plane in &p.planes[..p.plane_count as usize] {
+                        let normal = vec3::splat(*plane);
+                        let depth = depth_if_free(m, depth_behind(x, normal, real(plane[3])), wall);
+                        v = reflect(m, p, v, normal, depth);
+                        x = put_back(x, normal, depth);
+                        if has_history(m) {
+                            history = select_if_behind(history, history_turned(m, p, v, a, history), depth);
+                        }
+                    }
+                }
+                // boxed, lest LLVM carry the loop above in the shape of the store
+                store_xyz(&mut self.position[first..end], core::hint::black_box(x));
+            }
+            if has_history(m) {
+                store_xyz(&mut self.history[first..end], core::hint::black_box(history));
+            }
+            let v = core::hint::black_box(v);
+            store_xyz(&mut self.velocity[first..end], v);
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! Velocities at the end of the step, before there are any. Only for passes over pairs that need them beside those that forces
+//! are evaluated with.
+use crate::arithmetic::level::Work;
+use crate::arithmetic::real::Real;
+use crate::error::StepError;
+use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::layout::f32x4;
+use crate::passes::context::{Setup, Step};
+use crate::passes::lanes::{load_if_any, store_xyz};
+use crate::terms::integrate::{needs_earlier, velocity_after};
+
+struct Job<'a> {
+    setup: Setup<'a>,
+    velocity: &'a [f32x4],
+    acceleration: &'a [f32x4],
+    history: &'a [f32x4],
+    earlier: &'a [f32x4],
+    ahead: &'a mut [f32x4],
+}
+
+/// Fills `end_velocity`, materials being its fourth numbers.
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+    let new = &*step.new;
+    let earlier = if needs_earlier(step.setup.model) { &*step.scratch.start_acceleration } else { &[] };
+    let mut rest = &mut *step.scratch.end_velocity;
+    let mut jobs = Jobs::new();
+    for slots in shares(new.id.len(), parts(step.executor)) {
+        let job = Job {
+            setup: step.setup,
+            velocity: &new.velocity[slots.clone()],
+            acceleration: &new.acceleration[slots.clone()],
+            history: new.history.get(slots.clone()).unwrap_or_default(),
+            earlier: earlier.get(slots.clone()).unwrap_or_default(),
+            ahead: take(&mut rest, slots.len()),
+        };
+        let _ = jobs.push(job);
+    }
+    step.executor.run(&mut jobs, work);
+    Ok(())
+}
+
+/// Compiled once, in this crate: see [`PairPass::work`](crate::passes::pairs::PairPass::work).
+fn work(job: &mut Job<'_>) {
+    let simd = job.setup.simd;
+    simd.run(job);
+}
+
+impl Work for &mut Job<'_> {
+    #[inline(always)]
+    fn run<R: Real>(self) {
+        let (m, p) = (self.setup.model, self.setup.parameters);
+        let count = self.ahead.len();
+        self.ahead.copy_from_slice(self.velocity);
+        for first in (0..count).step_by(R::LANES) {
+            let end = (first + R::LANES).min(count);
+            let of = |array: &[f32x4]| load_if_any::<R>(array, first, end - 1);
+            let v = velocity_after(m, p, of(self.velocity), of(self.acceleration), of(self.earlier), of(self.history));
+            store_xyz(&mut self.ahead[first..end], v);
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! Beside which particles of liquid air is to be made. Only with air.
+//!
+//! A bare particle wants one a spacing away, where nothing is near; of several that want it at nearly one place, the one of the
+//! smallest id. Who could be in the way is found around that place, not around the particle: across a gap the others may be
+//! further away than a support. Few are bare, so no lanes.
+use crate::arithmetic::real::vec3;
+use crate::error::StepError;
+use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::grid::{Cells, Stencil, cell_of};
+use crate::layout::f32x4;
+use crate::passes::context::{Setup, Step};
+use crate::passes::pairs::cells;
+use crate::terms::air::{is_taken, place_of_birth};
+use crate::terms::boundary::depth_behind;
+
+/// The particles, in their slots.
+#[derive(Clone, Copy)]
+struct Liquid<'a> {
+    sorted: Cells<'a>,
+    position: &'a [f32x4],
+    /// Gradient of the colour of all fluids together; w: is it exposed?
+    gradient: &'a [f32x4],
+    id: &'a [u32],
+}
+
+impl Liquid<'_> {
+    fn place(&self, setup: &Setup<'_>, a: usize) -> vec3<f32> {
+        let (x, normal) = (vec3::splat(self.position[a]), vec3::splat(self.gradient[a]));
+        place_of_birth(setup.model, setup.parameters, x, normal)
+    }
+
+    /// Slots of all that can be near a place; none of one beyond the grid's range.
+    fn around(&self, setup: &Setup<'_>, place: vec3<f32>) -> Option<Stencil> {
+        let cell = cell_of(setup.parameters, [place.x, place.y, place.z, 0.0]).ok()?;
+        Some(Stencil::around(setup.parameters, setup.model.layers as i32, self.sorted, cell as usize))
+    }
+
+    /// Is nothing near that place, and no penalty wall before it?
+    fn is_free(&self, setup: &Setup<'_>, place: vec3<f32>, around: &Stencil) -> bool {
+        let (m, p) = (setup.model, setup.parameters);
+        let planes = if m.walls == 1 { p.plane_count as usize } else { 0 };
+        let behind = |plane: &f32x4| depth_behind(place, vec3::splat(*plane), plane[3]) > 0.0;
+        let taken = |b: usize| is_taken(m, p, place, vec3::<f32>::splat(self.position[b])) > 0.0;
+        !p.planes[..planes].iter().any(behind) && !around.runs().flatten().any(taken)
+    }
+
+    /// Is air to be made beside the particle in this slot?
+    fn gives_birth(&self, setup: &Setup<'_>, a: usize) -> bool {
+        if self.gradient[a][3] == 0.0 {
+            return false;
+        }
+        let place = self.place(setup, a);
+        let Some(around) = self.around(setup, place) else { return false };
+        let goes_first = |b: usize| {
+            if self.gradient[b][3] == 0.0 || self.id[b] >= self.id[a] {
+                return false;
+            }
+            let other = self.place(setup, b);
+            is_taken(setup.model, setup.parameters, place, other) > 0.0
+                && self.around(setup, other).is_some_and(|around| self.is_free(setup, other, &around))
+        };
+        self.is_free(setup, place, &around) && !around.runs().flatten().any(goes_first)
+    }
+}
+
+/// Fills `spawn_requested`.
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+    let (setup, position, id) = (step.setup, &*step.new.position, &*step.new.id);
+    let liquid = Liquid { sorted: cells!(step), position, gradient: step.scratch.total_colour_gradient, id };
+    let mut rest = &mut *step.scratch.spawn_requested;
+    let mut jobs = Jobs::new();
+    for slots in shares(id.len(), parts(step.executor)) {
+        let own = take(&mut rest, slots.len());
+        let _ = jobs.push((slots.start, own));
+    }
+    step.executor.run(&mut jobs, |(first, own)| {
+        for (i, own) in own.iter_mut().enumerate() {
+            *own = u32::from(liquid.gives_birth(&setup, *first + i));
+        }
+    });
+    Ok(())
+}

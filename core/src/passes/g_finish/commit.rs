@@ -1,0 +1,32 @@
+//! What becomes of a step: it counts, or it failed and says why.
+use crate::error::StepError;
+use crate::layout::{NONE, QUANTITIES_OF_ID, Status};
+use crate::passes::context::Step;
+use crate::plan::arrays::Quantity;
+
+/// Refuses a step that found something wrong.
+pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) -> Result<(), StepError> {
+    verdict(&step.found.status, step.setup.model.cell_places)
+}
+
+/// The error that a status tells of, of the pass that came first; `places` is a cell's.
+///
+/// # Errors
+/// That one.
+pub fn verdict(status: &Status, places: u32) -> Result<(), StepError> {
+    let step = u64::from(status.steps) + 1;
+    if status.out_of_range != NONE {
+        let (particle, axis) = (status.out_of_range / 4, status.out_of_range % 4);
+        return Err(StepError::OutOfRange { particle, axis, step });
+    }
+    if status.cell_full != NONE {
+        let (cell, count) = (status.cell_full, status.cell_count);
+        return Err(StepError::CellFull { cell, count, capacity: places, step });
+    }
+    if status.not_finite != NONE {
+        let particle = status.not_finite / QUANTITIES_OF_ID;
+        let quantity = Quantity::from_word(status.not_finite % QUANTITIES_OF_ID);
+        return Err(StepError::NotFinite { particle, quantity, step });
+    }
+    Ok(())
+}

@@ -1,0 +1,47 @@
+//! The largest speed, acceleration and speed of sound: what the next time step follows from. Only where it does.
+use crate::arithmetic::real::vec3;
+use crate::error::StepError;
+use crate::executor::{Executor, Jobs, parts, shares};
+use crate::layout::f32x4;
+use crate::passes::context::{Maxima, Setup, Step};
+use crate::passes::lanes::kind;
+use crate::terms::time_step::{bounded_sound, bounded_square};
+
+struct Job<'a> {
+    velocity: &'a [f32x4],
+    acceleration: &'a [f32x4],
+    density_pressure: &'a [f32x4],
+    maxima: Maxima,
+}
+
+/// Finds the maxima of the new state.
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+    let (setup, new) = (step.setup, &*step.new);
+    let mut jobs = Jobs::new();
+    for slots in shares(new.id.len(), parts(step.executor)) {
+        let job = Job {
+            velocity: &new.velocity[slots.clone()],
+            acceleration: &new.acceleration[slots.clone()],
+            density_pressure: &new.density_pressure[slots],
+            maxima: Maxima::default(),
+        };
+        let _ = jobs.push(job);
+    }
+    step.executor.run(&mut jobs, |job| {
+        for ((v, a), d) in job.velocity.iter().zip(job.acceleration).zip(job.density_pressure) {
+            job.maxima = job.maxima.and(of_particle(&setup, *v, *a, *d));
+        }
+    });
+    step.found.maxima = jobs.iter().fold(Maxima::default(), |all, job| all.and(job.maxima));
+    Ok(())
+}
+
+fn of_particle(setup: &Setup<'_>, v: f32x4, a: f32x4, density_pressure: f32x4) -> Maxima {
+    let (m, p) = (setup.model, setup.parameters);
+    let [.., sound, equation] = p.states[if m.species == 1 { kind(v[3]) } else { 0 }];
+    Maxima {
+        speed2: bounded_square(vec3::<f32>::splat(v)),
+        acceleration2: bounded_square(vec3::<f32>::splat(a)),
+        sound: bounded_sound::<f32>(m, density_pressure[0], sound, equation),
+    }
+}

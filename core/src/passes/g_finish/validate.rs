@@ -1,0 +1,37 @@
+//! Is an array of the new state finite? Runs once for each.
+use crate::error::StepError;
+use crate::executor::{Executor, Jobs, parts, shares};
+use crate::layout::{NONE, QUANTITIES_OF_ID, f32x4};
+use crate::passes::context::Step;
+use crate::plan::schedule::Command;
+
+struct Job<'a> {
+    array: &'a [f32x4],
+    id: &'a [u32],
+    /// Smallest id whose entry is not finite, or [`NONE`].
+    not_finite: u32,
+}
+
+/// Notes the smallest id, and of one id the first array, that is not finite.
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+    let Command::Validate(array) = step.command else { return Ok(()) };
+    let (entries, id): (&[f32x4], _) = (bytemuck::cast_slice(step.new.words(array)), &*step.new.id);
+    let mut jobs = Jobs::new();
+    for slots in shares(id.len(), parts(step.executor)) {
+        let _ = jobs.push(Job { array: &entries[slots.clone()], id: &id[slots], not_finite: NONE });
+    }
+    step.executor.run(&mut jobs, |job| {
+        for (entry, &id) in job.array.iter().zip(job.id) {
+            // no short cut: the usual case, nothing wrong, is free of branches
+            if !entry.iter().fold(true, |fine, x| fine & x.is_finite()) {
+                job.not_finite = job.not_finite.min(id);
+            }
+        }
+    });
+    let smallest = jobs.iter().map(|job| job.not_finite).min().unwrap_or(NONE);
+    if smallest != NONE {
+        let status = &mut step.found.status;
+        status.not_finite = status.not_finite.min(QUANTITIES_OF_ID * smallest + array as u32);
+    }
+    Ok(())
+}

@@ -1,0 +1,152 @@
+//! What a plan consists of, in names: the terms of its passes, and what the scene does without.
+use super::Plan;
+use super::passes::Pass;
+use crate::scene::{EquationOfState, Viscosity};
+use crate::terms::{density, integrate, tension};
+use heapless::Vec;
+
+/// Something that a scene does without.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LeftOut {
+    /// What.
+    pub what: &'static str,
+    /// Why.
+    pub why: &'static str,
+}
+
+/// Names of the terms of a pass.
+pub type Terms = Vec<&'static str, 16>;
+
+impl Plan {
+    /// The terms of a pass, in the order of its sums.
+    #[must_use]
+    pub fn terms(&self, pass: Pass) -> Terms {
+        let (m, choice) = (&self.model, &self.choice);
+        let mut terms = Terms::new();
+        let mut add = |names: &[&'static str], runs: bool| {
+            if runs {
+                // as many as a pass has terms at most
+                let _ = terms.extend_from_slice(names);
+            }
+        };
+        let value = &choice.density_kernel.terms()[..1];
+        let slope = &choice.pressure_kernel.terms()[1..];
+        let continuity = density::is_stepped(m);
+        let corrects = m.corrects_pressure();
+        match pass {
+            Pass::IntegrateBefore => {
+                add(&choice.integrator.terms()[..1], true);
+                add(&["drift"], m.xsph == 1);
+                add(&["wrap"], m.periodic == 1);
+            }
+            Pass::Support => add(&["support_close"], true),
+            Pass::Density => {
+                add(choice.density.terms(), true);
+                add(if continuity { slope } else { value }, true);
+                add(&["interpolated"], m.reads_tables());
+                add(&["volume_by_number"], m.numbers == 1);
+                add(choice.equation_of_state.terms(), !corrects);
+                add(&choice.near_pressure.terms()[..choice.near_pressure.terms().len().min(1)], m.near_pressure != 0);
+            }
+            Pass::Force => {
+                add(choice.pressure_force.terms(), !corrects);
+                add(slope, !corrects);
+                add(choice.wall_pressure.terms(), m.wall_particles != 0);
+                add(&choice.near_pressure.terms()[choice.near_pressure.terms().len().min(1)..], m.near_pressure != 0);
+                add(choice.viscosity.terms(), m.viscosity != 0 && choice.viscosity != Viscosity::Exchange);
+                add(choice.surface_tension.terms(), m.tension != 0 && !m.has_curvature());
+                add(&["exchange_neighbour"], m.exchange == 1);
+                add(&["weight"], m.gravity == 1);
+                add(&["buoyancy"], m.buoyancy == 1);
+                add(&["wind_drag"], m.wind == 1);
+                add(&["field_share"], m.field == 1);
+            }
+            Pass::Normals => {
+                add(&["colour_gradient"], true);
+                add(&["colour_laplacian", "curvature_of_colour"], m.tension == tension::CURVATURE);
+            }
+            Pass::Exposure => add(&["whole_gradient", "is_bare"], true),
+            Pass::Tension => {
+                add(&["normal_divergence", "curvature_of_normals"], m.tension == tension::NORMAL_CURVATURE);
+                add(&["tension_close"], true);
+            }
+            Pass::Springs => add(&["spring_pull"], true),
+            Pass::SpringLengths => add(&["spring_given_way"], true),
+            Pass::PressureForce => {
+                add(choice.pressure_force.terms(), true);
+                add(slope, true);
+            }
+            Pass::PressureCorrect => add(&["continuity_neighbour", "density_miss", "pressure_corrected"], true),
+            Pass::SpawnRequests => add(&["place_of_birth", "is_taken"], true),
+            Pass::Spawn => add(&["is_thin", "place_of_birth"], true),
+            Pass::InternalEnergy => add(&["heat_neighbour"], true),
+            Pass::PredictVelocity => add(&["velocity_after"], true),
+            Pass::IntegrateAfter => {
+                add(&choice.integrator.terms()[choice.integrator.terms().len().min(1)..], true);
+                add(&["penalty_walls"], m.walls == 1);
+            }
+            Pass::Measure => add(&["bounded_square", "bounded_sound"], true),
+            Pass::Commit => add(&["step_wanted", "step_limited", "clock_after"], m.adaptive == 1),
+            Pass::Xsph => add(&["xsph_neighbour"], true),
+            _ => {}
+        }
+        terms
+    }
+
+    /// What the scene does without.
+    #[must_use]
+    pub fn left_out(&self) -> Vec<LeftOut, 32> {
+        let (m, choice) = (&self.model, &self.choice);
+        let lists = m.cell_places > 0;
+        let all = [
+            (m.near_pressure == 0, "near pressure", "model.near_pressure is Off, or its stiffness is 0"),
+            (
+                m.viscosity == 0,
+                "viscosity",
+                match choice.viscosity {
+                    Viscosity::Artificial => "fluid.alpha and fluid.beta are 0",
+                    Viscosity::Exchange => "velocities are exchanged instead",
+                    _ => "fluid.dynamic_viscosity is 0",
+                },
+            ),
+            (
+                m.exchange == 0,
+                "exchange of velocities",
+                "fluid.velocity_exchange and fluid.radial_exchange are unused or 0",
+            ),
+            (m.gravity == 0, "gravity", "gravity is 0"),
+            (m.buoyancy == 0, "buoyancy", "ambient_density is 0"),
+            (m.wind == 0, "wind", "the scene has none"),
+            (m.field == 0, "field of the host's", "the scene has none"),
+            (m.walls == 0, "penalty walls", "the scene has no container"),
+            (m.wall_particles == 0, "walls of particles", "the scene has none"),
+            (m.periodic == 0, "periodic images", "no axis is periodic"),
+            (m.variable_support == 0, "variable support", "model.variable_support is not set"),
+            (m.masses == 0, "masses", "all particles have the same"),
+            (m.species == 0, "kinds of particle", "there is one fluid and no wall of particles"),
+            (m.thermal_energy == 0, "thermal energy", "model.thermal_energy is off"),
+            (m.xsph == 0, "XSPH", "fluid.xsph is 0"),
+            (!integrate::has_history(m), "integrator's history", "model.integrator remembers nothing"),
+            (m.reevaluates == 0, "second evaluation", "model.reevaluate is off"),
+            (m.adaptive == 0, "changing time step", "adaptive is not set"),
+            (!m.reads_tables(), "kernel tables", "model.evaluation is Direct"),
+            (
+                choice.equation_of_state != EquationOfState::PressureCorrection,
+                "pressure correction",
+                "model.equation_of_state is an equation",
+            ),
+            (m.layers == 0, "cells along z", "the scene is in 2D: a stencil of 9 cells"),
+            (!lists, "cell lists", "grid.structure is the index sort"),
+            (lists, "index sort", "grid.structure is cell lists"),
+            (m.fluids == 0, "several fluids", "there is one"),
+            (m.tension == 0, "surface tension", "model.surface_tension is Off, or fluid.surface_tension is 0"),
+            (m.normals == 0, "normals", "no tension needs them, and model.surface_normals is off"),
+            (m.springs == 0, "elasticity", "fluid.elastic_stiffness is 0"),
+            (m.plastic == 0, "plasticity", "elasticity.plasticity and elasticity.break_at are not set"),
+            (m.air == 0, "air", "the scene has none"),
+            (true, "bodies", "no scene of this version can ask for it"),
+            (true, "emitters over time", "no scene of this version can ask for it"),
+        ];
+        all.into_iter().filter(|(left_out, ..)| *left_out).map(|(_, what, why)| LeftOut { what, why }).collect()
+    }
+}

@@ -1,0 +1,159 @@
+//! The plan of a scene: which arrays exist, which passes run in which order, which terms are in them, and what is left out, with the
+//! reason.
+//!
+//! A pure function of the scene. What is left out is not computed at all, and what remains keeps its place in every sum,
+//! so a plan never changes a bit: [`Plan::everything`] runs too, and a test compares.
+pub mod arrays;
+mod explain;
+mod features;
+pub mod passes;
+pub mod schedule;
+
+pub use explain::{LeftOut, Terms};
+
+use crate::layout::Model;
+use crate::scene::{
+    DensityForm, Dimension, Evaluation, Fluid, GridStructure, ModelChoice, NearPressure, Reflection, Scene,
+    SurfaceTension, Viscosity,
+};
+use crate::terms::{near, tension, viscosity, wall};
+use passes::Pass;
+use schedule::{Schedule, schedule};
+
+/// What a step of a scene consists of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plan {
+    /// The choices that the terms compare.
+    pub model: Model,
+    /// The choices by name.
+    pub choice: ModelChoice,
+}
+
+impl Plan {
+    /// The plan of a scene: nothing that it does not need.
+    #[must_use]
+    pub fn of(scene: &Scene) -> Plan {
+        let everything = Plan::everything(scene);
+        let (fluid, choice) = (&scene.fluid, &scene.model);
+        let shears = choice.viscosity == Viscosity::Exchange && fluid.velocity_exchange != 0.0;
+        let viscous = scene.blocks.iter().any(|b| b.dynamic_viscosity.is_some_and(|mu| mu != 0.0))
+            || scene.walls.iter().any(|w| w.dynamic_viscosity.is_some_and(|mu| mu != 0.0));
+        let drags = match choice.viscosity {
+            Viscosity::Artificial => fluid.alpha != 0.0 || fluid.beta != 0.0,
+            Viscosity::Exchange => false,
+            _ => viscous || scene.fluids().any(|fluid| fluid.dynamic_viscosity != 0.0),
+        };
+        let near =
+            choice.near_pressure != NearPressure::Off && scene.fluids().any(|fluid| fluid.near_stiffness != Some(0.0));
+        let pulls = scene.fluids().any(|fluid| fluid.surface_tension != 0.0);
+        let several = !scene.other_fluids.is_empty();
+        let blocks_differ = scene.blocks.iter().any(|b| b.dynamic_viscosity.is_some());
+        Plan {
+            model: Model {
+                near_pressure: if near { everything.model.near_pressure } else { near::NEAR_OFF },
+                viscosity: if drags { everything.model.viscosity } else { viscosity::NO_VISCOSITY },
+                exchange: u32::from(shears || fluid.radial_exchange != 0.0),
+                gravity: u32::from(scene.gravity != [0.0; 3]),
+                buoyancy: u32::from(scene.ambient_density != 0.0),
+                wind: u32::from(scene.wind.is_some_and(|w| w.drag != 0.0)),
+                walls: u32::from(scene.container.is_some()),
+                wall_particles: if scene.walls.is_empty() { wall::NO_WALLS } else { everything.model.wall_particles },
+                variable_support: u32::from(choice.variable_support.is_some()),
+                masses: u32::from(choice.hydrostatic_start),
+                species: u32::from(blocks_differ || several || !scene.walls.is_empty()),
+                fluids: u32::from(several),
+                tension: if pulls { everything.model.tension } else { tension::NO_TENSION },
+                air: u32::from(scene.air.is_some()),
+                normals: u32::from(choice.surface_normals || pulls && everything.model.has_curvature()),
+                springs: u32::from(scene.fluids().any(is_elastic)),
+                plastic: u32::from(scene.fluids().any(is_elastic) && everything.model.plastic == 1),
+                thermal_energy: u32::from(choice.thermal_energy),
+                xsph: u32::from(fluid.xsph != 0.0),
+                ..everything.model
+            },
+            ..everything
+        }
+    }
+
+    /// The same scene with every term that can be left out left in, at coefficient 0.
+    #[must_use]
+    pub fn everything(scene: &Scene) -> Plan {
+        let choice = scene.model;
+        let near = if choice.near_pressure == NearPressure::Off { NearPressure::Thesis } else { choice.near_pressure };
+        let tensionless = choice.surface_tension == SurfaceTension::Off;
+        let own_equation = |fluid: &Fluid| fluid.equation_of_state.unwrap_or(choice.equation_of_state);
+        let adapted_density = !matches!(choice.density, DensityForm::Summation | DensityForm::Continuity);
+        Plan {
+            choice,
+            model: Model {
+                density_kernel: choice.density_kernel as u32,
+                pressure_kernel: choice.pressure_kernel as u32,
+                viscosity_kernel: choice.viscosity_kernel as u32,
+                evaluation: choice.evaluation as u32,
+                density: choice.density as u32,
+                equation_of_state: own_equation(&scene.fluid) as u32,
+                iteration: choice.correction.iteration as u32,
+                suction: u32::from(choice.suction),
+                pressure_force: choice.pressure_force as u32,
+                near_pressure: near as u32,
+                viscosity: choice.viscosity as u32,
+                exchange: 1,
+                gravity: 1,
+                buoyancy: 1,
+                wind: 1,
+                field: u32::from(scene.field.is_some()),
+                walls: 1,
+                reflection: scene.container.as_ref().map_or(Reflection::default(), |c| c.reflection) as u32,
+                wall_particles: choice.wall_pressure as u32,
+                periodic: u32::from(scene.periodic_axes().next().is_some()),
+                // a table is made for one support
+                variable_support: u32::from(choice.evaluation == Evaluation::Direct),
+                masses: 1,
+                species: 1,
+                fluids: 1,
+                states: u32::from(
+                    scene.other_fluids.iter().any(|fluid| own_equation(fluid) != own_equation(&scene.fluid)),
+                ),
+                numbers: u32::from(choice.pressure_force.is_adapted() && !adapted_density),
+                tension: if tensionless { tension::ATTRACTION } else { choice.surface_tension as u32 },
+                normals: 1,
+                springs: 1,
+                plastic: u32::from(scene.elasticity.plasticity.is_some() || scene.elasticity.break_at.is_some()),
+                air: u32::from(scene.air.is_some()),
+                thermal_energy: 1,
+                xsph: 1,
+                layers: u32::from(scene.dimension == Dimension::Three),
+                integrator: choice.integrator as u32,
+                reevaluates: u32::from(choice.reevaluate),
+                adaptive: u32::from(scene.adaptive.is_some()),
+                cell_places: match scene.grid.structure {
+                    GridStructure::IndexSort => 0,
+                    GridStructure::CellLists { places } => places,
+                },
+            },
+        }
+    }
+
+    /// The commands of a step.
+    #[must_use]
+    pub fn schedule(&self) -> Schedule {
+        schedule(&self.model, self.iterations())
+    }
+
+    /// The passes that run, in order, each once.
+    pub fn passes(&self) -> impl Iterator<Item = Pass> + use<> {
+        let model = self.model;
+        Pass::ALL.into_iter().filter(move |pass| pass.runs(&model))
+    }
+
+    /// Most iterations of pressure in a step; 0 with an equation of state.
+    #[must_use]
+    pub fn iterations(&self) -> u32 {
+        if self.model.corrects_pressure() { self.choice.correction.iterations } else { 0 }
+    }
+}
+
+/// Do springs join its particles?
+fn is_elastic(fluid: &Fluid) -> bool {
+    fluid.elastic_stiffness != 0.0
+}

@@ -1,0 +1,148 @@
+//! The step as data: the list of commands that the CPU interprets, a device records, and reports read.
+use super::arrays::{Array, Side};
+use super::passes::Pass;
+use crate::layout::Model;
+use heapless::Vec;
+
+/// Most commands of a step.
+pub const MOST_COMMANDS: usize = 64;
+
+/// One command of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Command {
+    /// Runs a pass.
+    Run(Pass),
+    /// Runs a pass once more, with the velocities at the end of the step in place of those that the positions were reached with.
+    RunAgain(Pass),
+    /// Moves the entries of an array from the slots before the step into those after it.
+    Gather {
+        /// From where.
+        from: (Array, Side),
+        /// To where.
+        to: Array,
+    },
+    /// Checks that an array of the new state is finite.
+    Validate(Array),
+    /// Repeats the commands that follow until the last of them says that their iteration has converged.
+    Repeat {
+        /// How many of the commands that follow; among them may be another `Repeat` with its own.
+        commands: u8,
+        /// Most repetitions.
+        most: u32,
+    },
+}
+
+/// The commands of a step.
+pub type Schedule = Vec<Command, MOST_COMMANDS>;
+
+impl Command {
+    /// The pass whose program it runs; none for a repetition.
+    #[must_use]
+    pub fn pass(self) -> Option<Pass> {
+        match self {
+            Command::Run(pass) | Command::RunAgain(pass) => Some(pass),
+            Command::Gather { .. } => Some(Pass::Gather),
+            Command::Validate(_) => Some(Pass::Validate),
+            Command::Repeat { .. } => None,
+        }
+    }
+}
+
+/// The commands of a step by this model, its pressure iterated at most `iterations` times.
+#[must_use]
+pub fn schedule(m: &Model, iterations: u32) -> Schedule {
+    let mut commands = Schedule::new();
+    // forces are evaluated again once all that needs the first ones has had them
+    let (before, after) = Pass::ALL.split_at(Pass::SpawnRequests as usize);
+    add(&mut commands, m, before, iterations);
+    if m.reevaluates == 1 {
+        let forces = [Pass::Force, Pass::Tension, Pass::Springs].into_iter().filter(|pass| pass.runs(m));
+        forces.for_each(|pass| push(&mut commands, Command::RunAgain(pass)));
+    }
+    add(&mut commands, m, after, iterations);
+    commands
+}
+
+/// The commands that evaluate forces while time stands still, or runs back: nothing is made, and no next density is aimed at.
+#[must_use]
+pub fn evaluation(m: &Model) -> Schedule {
+    let makes = |command: &Command| matches!(command.pass(), Some(Pass::SpawnRequests | Pass::Spawn));
+    schedule(m, 0).into_iter().filter(|command| !makes(command)).collect()
+}
+
+/// Adds the commands of these passes.
+fn add(commands: &mut Schedule, m: &Model, passes: &[Pass], iterations: u32) {
+    for pass in passes.iter().copied().filter(|pass| pass.runs(m)) {
+        match pass {
+            Pass::Gather => {
+                let sorted = Array::ALL.iter().filter(|array| array.exists(m));
+                let gathers = sorted.filter_map(|&to| Some(Command::Gather { from: to.source()?, to }));
+                gathers.for_each(|command| push(commands, command));
+            }
+            Pass::Validate => {
+                let floats = Array::of_state(m).filter(|array| array.is_vector());
+                floats.for_each(|array| push(commands, Command::Validate(array)));
+            }
+            Pass::PressureForce => {
+                let body = [Pass::PressureForce, Pass::PressureCorrect, Pass::PressureConverged];
+                push(commands, Command::Repeat { commands: body.len() as u8, most: iterations });
+                body.into_iter().chain([pass]).for_each(|pass| push(commands, Command::Run(pass)));
+            }
+            // the pressure force brings them along
+            Pass::PressureCorrect | Pass::PressureConverged => {}
+            _ => push(commands, Command::Run(pass)),
+        }
+    }
+}
+
+fn push(commands: &mut Schedule, command: Command) {
+    let pushed = commands.push(command);
+    debug_assert!(pushed.is_ok(), "a step has fewer commands than a schedule has room for");
+}
+
+/// Calls `run` for each command, those of a repetition again and again; what `run` returns of the last command of a repetition says
+/// whether it was the last one.
+///
+/// # Errors
+/// The first that `run` returns; no command runs after it.
+pub fn interpret<E>(commands: &[Command], run: &mut dyn FnMut(Command) -> Result<bool, E>) -> Result<bool, E> {
+    let mut converged = false;
+    let mut rest = commands.iter();
+    while let Some(command) = rest.next() {
+        if let Command::Repeat { commands: count, most, .. } = command {
+            let (body, after) = rest.as_slice().split_at((*count).into());
+            for _ in 0..*most {
+                if interpret(body, run)? {
+                    break;
+                }
+            }
+            rest = after.iter();
+        } else {
+            converged = run(*command)?;
+        }
+    }
+    Ok(converged)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn repetitions_nest_and_end_each_by_its_own_convergence() {
+        let [outer, inner] = [Pass::Density, Pass::PressureCorrect];
+        let repeat = |commands, most| Command::Repeat { commands, most };
+        let commands = [repeat(4, 3), repeat(1, 5), Command::Run(inner), Command::Run(outer), Command::Run(outer)];
+        // each inner iteration converges after two rounds, the outer one never
+        let mut rounds = 0;
+        let mut order = std::vec::Vec::new();
+        let ran: Result<bool, ()> = interpret(&commands, &mut |command| {
+            order.push(command);
+            rounds += u32::from(command == Command::Run(inner));
+            Ok(command == Command::Run(inner) && rounds % 2 == 0)
+        });
+        assert_eq!(ran, Ok(false));
+        let round = [inner, inner, outer, outer].map(Command::Run);
+        assert_eq!(order, [round, round, round].concat());
+    }
+}

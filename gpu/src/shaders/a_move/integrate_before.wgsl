@@ -1,0 +1,14 @@
+// To where the forces are evaluated. The new slots are not known yet, so the moved particles wait in the old ones.
+fn pass_body(a: u32) {
+  if a >= p.particle_count || head.status.failed != 0u { return; }
+  let x = old_position[a];
+  let v = old_velocity[a];
+  let acceleration = old_acceleration[a].xyz;
+  var history = vec3(0.0f, 0.0f, 0.0f);
+  if has_history() { history = old_history[a].xyz; }
+  var place = moved(x.xyz, v.xyz, acceleration, history);
+  if m.xsph == 1u { place = drift(place, old_xsph_velocity[a].xyz, p.time_step); }
+  place = wrap(only_if_free(x.xyz, place, kind(v.w).y));
+  moved_velocity[a] = vec4(velocity_for_forces(v.xyz, acceleration, history), v.w);
+  moved_position[a] = vec4(place, x.w);
+}

@@ -1,0 +1,27 @@
+// Inward normal of the surface of each particle's fluid, and its curvature where that follows from the same colour.
+fn pass_body(i: u32) {
+  if i >= p.particle_count || head.status.failed != 0u { return; }
+  let a = local(i);
+  if a.wall > 0.0f {
+    new_normal[i] = vec4(0.0f, 0.0f, 0.0f, 0.0f);
+    return;
+  }
+  let own = cell_of(a.position);
+  var sum = vec3(0.0f, 0.0f, 0.0f);
+  var laplacian = 0.0f;
+  for (var i = 0u; i < stencil_cells(); i += 1u) {
+    let c = stencil_cell(own, i);
+    let end = cell_start[c] + head.counter[c];
+    for (var j = cell_start[c]; j < end; j += 1u) {
+      let b = local(j);
+      if is_near(a, b) {
+        sum = sum + colour_gradient(a, b);
+        if m.tension == CURVATURE { laplacian = laplacian + colour_laplacian(a, b); }
+      }
+    }
+  }
+  let normal = flush3(sum);
+  var curvature = 0.0f;
+  if m.tension == CURVATURE { curvature = curvature_of_colour(normal, laplacian); }
+  new_normal[i] = vec4(normal, curvature);
+}

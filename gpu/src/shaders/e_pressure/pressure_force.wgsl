@@ -1,0 +1,20 @@
+// Acceleration by the pressure of an iteration, added to all else; once more after the last iteration.
+fn pass_body(i: u32) {
+  if i >= p.particle_count || head.status.failed != 0u || head.status.settled > 1u { return; }
+  let a = local(i);
+  if a.wall > 0.0f {
+    new_acceleration[i] = vec4(0.0f, 0.0f, 0.0f, non_pressure_acceleration[i].w);
+    return;
+  }
+  let own = cell_of(a.position);
+  var force = vec3(0.0f, 0.0f, 0.0f);
+  for (var i = 0u; i < stencil_cells(); i += 1u) {
+    let c = stencil_cell(own, i);
+    let end = cell_start[c] + head.counter[c];
+    for (var j = cell_start[c]; j < end; j += 1u) {
+      let b = local(j);
+      if is_near(a, b) { force = force + pressure_neighbour(a, b); }
+    }
+  }
+  new_acceleration[i] = vec4(flush3(non_pressure_acceleration[i].xyz + acceleration_close(force, a)), non_pressure_acceleration[i].w);
+}

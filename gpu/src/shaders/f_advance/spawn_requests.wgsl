@@ -1,0 +1,48 @@
+// Beside which particles of liquid air is to be made.
+fn place_of(a: u32) -> vec3<f32> { return place_of_birth(new_position[a].xyz, total_colour_gradient[a].xyz); }
+
+// Is nothing near that place, and no penalty wall before it?
+fn is_free(place: vec3<f32>) -> bool {
+  if axis_out_of_range(place) < 3u { return false; }
+  if m.walls == 1u {
+    for (var i = 0u; i < p.plane_count; i += 1u) {
+      let plane = p.planes[i];
+      if depth_behind(place, plane.xyz, plane.w) > 0.0f { return false; }
+    }
+  }
+  let own = cell_of(place);
+  for (var i = 0u; i < stencil_cells(); i += 1u) {
+    let c = stencil_cell(own, i);
+    let end = cell_start[c] + head.counter[c];
+    for (var b = cell_start[c]; b < end; b += 1u) {
+      if is_taken(place, new_position[b].xyz) > 0.0f { return false; }
+    }
+  }
+  return true;
+}
+
+// Does another, of smaller id, have air made where this one wants it?
+fn is_late(a: u32, place: vec3<f32>) -> bool {
+  let own = cell_of(place);
+  for (var i = 0u; i < stencil_cells(); i += 1u) {
+    let c = stencil_cell(own, i);
+    let end = cell_start[c] + head.counter[c];
+    for (var b = cell_start[c]; b < end; b += 1u) {
+      if total_colour_gradient[b].w > 0.0f && new_id[b] < new_id[a] {
+        let other = place_of(b);
+        if is_taken(place, other) > 0.0f && is_free(other) { return true; }
+      }
+    }
+  }
+  return false;
+}
+
+fn pass_body(a: u32) {
+  if a >= p.particle_count || head.status.failed != 0u { return; }
+  var born = 0u;
+  if total_colour_gradient[a].w > 0.0f {
+    let place = place_of(a);
+    if is_free(place) && !is_late(a, place) { born = 1u; }
+  }
+  spawn_requested[a] = born;
+}
