@@ -4,7 +4,7 @@ use millpond::fluid::Snapshot;
 use millpond::memory::Heap;
 use millpond_core::error::Quantity;
 use millpond_core::scene::{GridStructure, Place, Scene};
-use millpond_core::{Needs, Plan, SceneError, Serial, Simd, Solver, StepError};
+use millpond_core::{Axis, Needs, Plan, SceneError, Serial, Simd, Solver, StepError};
 use millpond_gpu::{Gpu, GpuError, GpuSolver, Mode};
 
 mod support;
@@ -65,7 +65,7 @@ fn a_particle_beyond_the_grids_range() {
         ([2.0, 0.0, 0.0], [0.0, 1.9e8, 0.0]),
         ([3.0, 0.0, 0.0], [0.0, 1.93e8, 1.93e8]),
     ]);
-    let error = StepError::OutOfRange { particle: 2, axis: 1, step: 3 };
+    let error = StepError::OutOfRange { particle: 2, axis: Axis::Y, step: 3 };
     refuses("out of range", &scene, &places, 2, error);
 }
 
@@ -111,7 +111,7 @@ fn a_scene_that_cannot_start() {
         let at = places(&[([0.0; 3], [0.0; 3]), (position, velocity)]);
         Solver::with_particles(&scene, Plan::of(&scene), 2, at, heap.lend()).err()
     };
-    let far = SceneError::FirstStep(StepError::OutOfRange { particle: 1, axis: 1, step: 1 });
+    let far = SceneError::FirstStep(StepError::OutOfRange { particle: 1, axis: Axis::Y, step: 1 });
     assert_eq!(start([0.0, 1e30, 0.0], [0.0; 3]), Some(far));
     for bad in [f32::NAN, f32::INFINITY] {
         let none = |quantity| Some(SceneError::ParticleNotFinite { particle: 1, quantity });
@@ -164,9 +164,9 @@ fn scenes_that_cannot_be() {
     let error = refused(&|s| s.fluid.speed_of_sound = 1e30);
     assert_eq!(error, SceneError::OutOfScale { field: "fluid.speed_of_sound", value: 1e30 });
     let error = refused(&|s| s.particle_spacing = 3.0);
-    assert_eq!(error, SceneError::EmptyBlock { block: 0, axis: 0, size: 1.2 });
+    assert_eq!(error, SceneError::EmptyBlock { block: 0, axis: Axis::X, size: 1.2 });
     let error = refused(&|s| s.blocks[0].corner[1] = 2.0);
-    assert_eq!(error, SceneError::BlockOutside { block: 0, axis: 1, by: 1.0 });
+    assert_eq!(error, SceneError::BlockOutside { block: 0, axis: Axis::Y, by: 1.0 });
     assert_eq!(field(refused(&|s| s.fluid.dynamic_viscosity = -1.0)), "fluid.dynamic_viscosity");
     assert_eq!(field(refused(&|s| s.fluid.near_stiffness = Some(-1.0))), "fluid.near_stiffness");
     assert_eq!(field(refused(&|s| s.blocks[0].size[0] = 0.0)), "blocks.size");
@@ -187,8 +187,8 @@ fn scenes_that_cannot_be() {
     let most = 65_536.0 * base.particle_spacing;
     assert_eq!(error, SceneError::OutOfBounds { field: "blocks.corner", value: 1e4, least: -most, most });
     let error = refused(&|s| s.container.as_mut().expect("a box").high[1] = 0.0);
-    assert_eq!(error, SceneError::EmptyContainer { axis: 1, low: 0.0, high: 0.0 });
-    assert_eq!(refused(&|s| s.grid.cells[2] = 2), SceneError::TooFewCells { axis: 2, cells: 2 });
+    assert_eq!(error, SceneError::EmptyContainer { axis: Axis::Y, low: 0.0, high: 0.0 });
+    assert_eq!(refused(&|s| s.grid.cells[2] = 2), SceneError::TooFewCells { axis: Axis::Z, cells: 2 });
     let error = refused(&|s| s.grid.cells = [4096, 4096, 4096]);
     assert_eq!(error, SceneError::TooManyCells { cells: [4096; 3], places: 1 });
     let error = refused(&|s| s.grid.structure = GridStructure::CellLists { places: 0 });
@@ -214,9 +214,10 @@ fn plans_and_places_that_do_not_fit() {
     assert_eq!(start(spatial, 1, &one), Some(SceneError::PlanOfAnotherScene));
     let off = places(&[([0.5, 0.5, 0.1], [0.0; 3])]);
     assert_eq!(start(plan, 1, &off), Some(SceneError::OutOfPlane));
-    let short = SceneError::CapacityExceeded { what: "places of particles", needed: 2, capacity: 1 };
+    let call = "with_particles";
+    let short = SceneError::WrongLength { call, what: "particles", given: 1, expected: 2 };
     assert_eq!(start(plan, 2, &one), Some(short));
-    let over = SceneError::CapacityExceeded { what: "particles", needed: 1, capacity: 0 };
+    let over = SceneError::WrongLength { call, what: "particles", given: 1, expected: 0 };
     assert_eq!(start(plan, 0, &one), Some(over));
 }
 

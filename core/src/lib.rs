@@ -44,7 +44,7 @@ pub use heapless;
 
 pub use arithmetic::level::Simd;
 pub use clock::TimeReport;
-pub use error::{SceneError, StepError};
+pub use error::{Axis, SceneError, StepError};
 pub use executor::{Executor, Serial};
 pub use memory::{Memory, Needs};
 pub use particle::Particle;

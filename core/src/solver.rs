@@ -166,15 +166,15 @@ impl<'m> Solver<'m> {
     /// Fewer or more nodes than the scene says, or a value that is not finite; the field then stays as it was. Before the first
     /// step also one that makes accelerations that are no numbers; the field then is 0, and the fluid as it was.
     pub fn set_field(&mut self, nodes: &[f32x4]) -> Result<(), SceneError> {
-        let (needed, capacity) = (nodes.len(), self.memory.field.len());
-        if needed != capacity {
-            return Err(SceneError::CapacityExceeded { what: "nodes of the field", needed, capacity });
+        let (given, expected) = (nodes.len(), self.memory.field.len());
+        if given != expected {
+            return Err(SceneError::WrongLength { call: "set_field", what: "nodes", given, expected });
         }
         if let Some(&value) = nodes.as_flattened().iter().find(|x| !x.is_finite()) {
             return Err(SceneError::NotFinite { field: "field", value });
         }
         self.memory.field.copy_from_slice(nodes);
-        if self.steps == 0 && needed > 0 {
+        if self.steps == 0 && expected > 0 {
             // the first step begins with the accelerations at the start
             if let Err(error) = self.evaluate() {
                 self.memory.field.fill([0.0; 4]);

@@ -55,14 +55,15 @@ impl Solver<'_> {
     pub(crate) fn fill(&mut self, scene: &Scene, places: impl IntoIterator<Item = Place>) -> Result<(), SceneError> {
         let state = &mut self.memory.states[self.current];
         let needed = state.id.len();
+        let wrong =
+            |given| SceneError::WrongLength { call: "with_particles", what: "particles", given, expected: needed };
         if needed < scene.air_capacity() {
-            let (what, capacity) = ("particles of air (air.capacity) among those", needed);
-            return Err(SceneError::CapacityExceeded { what, needed: scene.air_capacity(), capacity });
+            return Err(SceneError::TooFewParticles { particles: needed, air: scene.air_capacity() });
         }
         let mut places = places.into_iter();
         for slot in 0..needed {
             let Some(place) = places.next() else {
-                return Err(SceneError::CapacityExceeded { what: "places of particles", needed, capacity: slot });
+                return Err(wrong(slot));
             };
             let ([x, y, z], [u, v, w]) = (place.position, place.velocity);
             if scene.dimension == Dimension::Two && (z != 0.0 || w != 0.0) {
@@ -108,10 +109,7 @@ impl Solver<'_> {
         state.smoothing.fill([0.0; 4]);
         self.memory.springs.of.fill([0; 4]);
         match places.next() {
-            Some(_) => {
-                let needed = needed + 1;
-                Err(SceneError::CapacityExceeded { what: "particles", needed, capacity: needed - 1 })
-            }
+            Some(_) => Err(wrong(needed + 1)),
             None => Ok(()),
         }
     }

@@ -14,8 +14,8 @@ use millpond_gpu::{Gpu, GpuSolver, Mode};
 
 mod difference;
 mod pair;
-pub use difference::{Difference, difference, ulp_distance};
-pub use pair::{Comparison, Pair, PerQuantity, table};
+pub use difference::{Difference, PerQuantity, difference, ulp_distance};
+pub use pair::{Comparison, Pair, table};
 
 /// Options of `compare`.
 #[derive(Clone, Debug, clap::Args)]

@@ -1,5 +1,5 @@
 //! What becomes of a step: it counts, or it failed and says why.
-use crate::error::{Quantity, StepError};
+use crate::error::{Axis, Quantity, StepError};
 use crate::layout::{NONE, Status};
 
 /// The error that a status tells of, of the pass that came first; `places` is a cell's.
@@ -10,7 +10,7 @@ pub fn verdict(status: &Status, places: u32) -> Result<(), StepError> {
     let step = u64::from(status.steps) + 1;
     if status.out_of_range != NONE {
         let (particle, axis) = (status.out_of_range / 4, status.out_of_range % 4);
-        return Err(StepError::OutOfRange { particle, axis, step });
+        return Err(StepError::OutOfRange { particle, axis: Axis::of(axis as usize), step });
     }
     if status.cell_full != NONE {
         let (cell, count) = (status.cell_full, status.cell_count);

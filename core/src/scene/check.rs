@@ -1,6 +1,6 @@
 //! What makes a scene impossible, said before anything is touched.
 use super::{Container, EquationOfState, Face, Fluid, GridStructure, Scene, WallShape, lattice, walls};
-use crate::error::SceneError;
+use crate::error::{Axis, SceneError};
 use crate::guided::{average_neighbours, parameters, support_radius};
 use crate::kinds::{near_stiffness, spring_pull};
 use crate::lattice_sums::MOST_SPACINGS;
@@ -101,16 +101,14 @@ impl Scene {
             finite("field.spacing", &[1.0 / field.spacing])?;
             for (axis, &nodes) in field.counts.iter().enumerate().take(self.dimension.count()) {
                 if nodes < 2 {
-                    return Err(SceneError::TooFewNodes { axis, nodes });
+                    return Err(SceneError::TooFewNodes { axis: Axis::of(axis), nodes });
                 }
             }
             let nodes = self.field_counts()[3];
             if nodes > MOST_NODES {
-                return Err(SceneError::CapacityExceeded {
-                    what: "nodes of the field",
-                    needed: nodes as usize,
-                    capacity: MOST_NODES as usize,
-                });
+                let (value, least, most) =
+                    (nodes as f32, 2u32.pow(self.dimension.count() as u32) as f32, MOST_NODES as f32);
+                return Err(SceneError::OutOfBounds { field: "field.counts (multiplied)", value, least, most });
             }
         }
         Ok(())
@@ -159,7 +157,7 @@ impl Scene {
             for (axis, (&size, count)) in b.size.iter().zip(counts).enumerate().take(self.dimension.count()) {
                 positive("blocks.size", size)?;
                 if count == 0 {
-                    return Err(SceneError::EmptyBlock { block, axis, size });
+                    return Err(SceneError::EmptyBlock { block, axis: Axis::of(axis), size });
                 }
             }
             particles = particles.saturating_add(counts.iter().fold(1, |all, &n| all.saturating_mul(n)));
@@ -180,7 +178,7 @@ impl Scene {
         for axis in 0..self.dimension.count() {
             let (low, high) = (container.low[axis], container.high[axis]);
             if low >= high {
-                return Err(SceneError::EmptyContainer { axis, low, high });
+                return Err(SceneError::EmptyContainer { axis: Axis::of(axis), low, high });
             }
         }
         share("container.bounce", container.bounce)?;
@@ -199,7 +197,7 @@ impl Scene {
                 let above = b.corner[axis] + b.size[axis] - container.high[axis];
                 for (face, by) in [(low_face, below), (high_face, above)] {
                     if by > slack && self.is_closed(container, face) {
-                        return Err(SceneError::BlockOutside { block, axis, by });
+                        return Err(SceneError::BlockOutside { block, axis: Axis::of(axis), by });
                     }
                 }
             }
@@ -214,7 +212,7 @@ impl Scene {
         for axis in self.periodic_axes() {
             let (low, high) = (periodic.low[axis], periodic.high[axis]);
             if low >= high {
-                return Err(SceneError::EmptyDomain { axis, low, high });
+                return Err(SceneError::EmptyDomain { axis: Axis::of(axis), low, high });
             }
             // sizes are rounded to whole particles
             let room = high - low + 0.51 * self.particle_spacing;
@@ -225,7 +223,7 @@ impl Scene {
             });
             for (index, (what, size)) in blocks.enumerate().chain(walls.enumerate()) {
                 if size > room {
-                    return Err(SceneError::LapsItself { what, index, axis, by: size - (high - low) });
+                    return Err(SceneError::LapsItself { what, index, axis: Axis::of(axis), by: size - (high - low) });
                 }
             }
         }
@@ -250,14 +248,14 @@ impl Scene {
             if let Some(axis) = across
                 && w.velocity[axis] != 0.0
             {
-                return Err(SceneError::WallAdvances { wall, axis, velocity: w.velocity[axis] });
+                return Err(SceneError::WallAdvances { wall, axis: Axis::of(axis), velocity: w.velocity[axis] });
             }
             for axis in 0..self.dimension.count() {
                 let size = high[axis] - low[axis];
                 let along = size.is_finite() && (1..=MOST_PARTICLES).contains(&lattice::whole(size, self));
                 let fits = if Some(axis) == across { size == 0.0 } else { along };
                 if !fits {
-                    return Err(SceneError::WallExtent { wall, axis, size });
+                    return Err(SceneError::WallExtent { wall, axis: Axis::of(axis), size });
                 }
             }
             if !walls::is_in_space(w, self.dimension) {
@@ -280,7 +278,7 @@ impl Scene {
         for axis in 0..self.dimension.count() {
             let cells = self.cells()[axis];
             if cells < 3 {
-                return Err(SceneError::TooFewCells { axis, cells });
+                return Err(SceneError::TooFewCells { axis: Axis::of(axis), cells });
             }
         }
         let total = self.cells().iter().try_fold(1u32, |total, &cells| total.checked_mul(cells));

@@ -139,11 +139,8 @@ impl Scene {
         let Correction { iteration, iterations, tolerance } = self.model.correction;
         positive("model.correction.tolerance", tolerance)?;
         if iterations == 0 || iterations > Correction::MOST {
-            return Err(SceneError::CapacityExceeded {
-                what: "model.correction.iterations, 1 at least,",
-                needed: iterations as usize,
-                capacity: Correction::MOST as usize,
-            });
+            let (value, most) = (iterations as f32, Correction::MOST as f32);
+            return Err(SceneError::OutOfBounds { field: "model.correction.iterations", value, least: 1.0, most });
         }
         if self.model.equation_of_state != EquationOfState::PressureCorrection {
             return Ok(());

@@ -1,7 +1,16 @@
 //! Where two states differ, and by how much.
-use super::pair::PerQuantity;
 use crate::fluid::Snapshot;
 use millpond_core::layout::f32x4;
+use serde::Serialize;
+
+/// Position and velocity of something.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct PerQuantity<T> {
+    /// Of positions.
+    pub position: T,
+    /// Of velocities.
+    pub velocity: T,
+}
 
 /// How two states differ.
 #[derive(Clone, Debug, PartialEq)]

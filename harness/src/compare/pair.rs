@@ -1,5 +1,5 @@
 //! What comes of holding one path against another, and how it is told.
-use super::difference::Difference;
+use super::difference::{Difference, PerQuantity};
 use crate::failure::Failure;
 use crate::timing::Milliseconds;
 use millpond_core::scene::Scene;
@@ -8,15 +8,6 @@ use serde::Serialize;
 /// How far a path that promises no bits may stray, as a share of the spacing and of the speed of sound. A difference of
 /// one ULP grows with the fluid's chaos; this is where a picture begins to show it.
 const TOLERANCE: f64 = 0.01;
-
-/// Position and velocity of something.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct PerQuantity<T> {
-    /// Of positions.
-    pub position: T,
-    /// Of velocities.
-    pub velocity: T,
-}
 
 /// One path held against another.
 #[derive(Clone, Debug, Serialize)]

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use millpond_core::error::Quantity;
 use millpond_core::guided::parameters;
 use millpond_core::scene::{GridStructure, NearPressure, Place, Scene};
-use millpond_core::{SceneError, StepError};
+use millpond_core::{Axis, SceneError, StepError};
 
 /// Steps of a fall: 0.1 s.
 const FALL: u32 = 100;
@@ -65,10 +65,10 @@ fn far(scene: &Scene) -> Vec<Case> {
     let beside = |x: f32| vec![at(0.1), at(x)];
     let fast = |v: f32| vec![at(0.1), Place::at([0.0; 3], [0.0, v, 0.0])];
     let start = End::Refused(|error| {
-        matches!(error, SceneError::FirstStep(StepError::OutOfRange { particle: 1, axis: 0, step: 1 }))
+        matches!(error, SceneError::FirstStep(StepError::OutOfRange { particle: 1, axis: Axis::X, step: 1 }))
     });
-    let first = End::Stopped(|error| matches!(error, StepError::OutOfRange { particle: 1, axis: 1, step: 1 }));
-    let fourth = End::Stopped(|error| matches!(error, StepError::OutOfRange { particle: 1, axis: 1, step: 4 }));
+    let first = End::Stopped(|error| matches!(error, StepError::OutOfRange { particle: 1, axis: Axis::Y, step: 1 }));
+    let fourth = End::Stopped(|error| matches!(error, StepError::OutOfRange { particle: 1, axis: Axis::Y, step: 4 }));
     vec![
         Case::of_places("a particle 1e5 m away", scene, beside(1e5), FALL, End::Runs(Measure::Falls)),
         Case::of_places("the same, said to the user", scene, beside(1e5), 1, End::Runs(Measure::Warned)),
