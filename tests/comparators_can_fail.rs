@@ -10,7 +10,7 @@ mod support;
 /// A moving fluid.
 fn state() -> Snapshot {
     let scene = support::scaled("dam-break", 300).file.scene;
-    let mut heap = Heap::of(&scene);
+    let mut heap = Heap::of(&scene.check().expect("a scene"));
     let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
     (0..20).for_each(|_| solver.step(&Serial).expect("a step"));
     Snapshot::of_cpu(&solver)

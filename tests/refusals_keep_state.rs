@@ -3,20 +3,20 @@
 use millpond::fluid::Snapshot;
 use millpond::memory::Heap;
 use millpond_core::error::Quantity;
-use millpond_core::scene::{GridStructure, Place, Scene};
+use millpond_core::scene::{GridStructure, InitialParticle, Scene};
 use millpond_core::{Axis, Needs, Plan, SceneError, Serial, Simd, Solver, StepError};
 use millpond_gpu::{Gpu, GpuError, GpuSolver, Mode};
 
 mod support;
-use support::{device, heap_for};
+use support::{checked, device, heap_for};
 
 /// Particles of the thesis cube's fluid at these places.
-fn places(at: &[([f32; 3], [f32; 3])]) -> Vec<Place> {
-    at.iter().map(|&(position, velocity)| Place::at(position, velocity)).collect()
+fn places(at: &[([f32; 3], [f32; 3])]) -> Vec<InitialParticle> {
+    at.iter().map(|&(position, velocity)| InitialParticle::at(position, velocity)).collect()
 }
 
 /// Steps both backends until they refuse; asserts that they do so with `error`, after `steps` good steps, keeping the state.
-fn refuses(test: &str, scene: &Scene, places: &[Place], steps: u64, error: StepError) {
+fn refuses(test: &str, scene: &Scene, places: &[InitialParticle], steps: u64, error: StepError) {
     let gpu = device(test, Mode::Strict);
     for simd in [Simd::Scalar, Simd::detect()] {
         refuses_at(simd, gpu.as_ref(), test, scene, places, steps, error);
@@ -28,12 +28,13 @@ fn refuses_at(
     gpu: Option<&Gpu>,
     test: &str,
     scene: &Scene,
-    places: &[Place],
+    places: &[InitialParticle],
     steps: u64,
     error: StepError,
 ) {
     let mut heap = heap_for(scene, places.len());
-    let start = Solver::with_particles(scene, Plan::of(scene), places.len(), places.iter().copied(), heap.lend());
+    let scene = checked(scene);
+    let start = Solver::with_particles(&scene, Plan::of(&scene), places.len(), places.iter().copied(), heap.lend());
     let mut solver = start.expect("a scene that starts").at_level(simd);
     let on_device = gpu.map(|gpu| GpuSolver::new(gpu, &solver).expect("a device that takes it"));
 
@@ -77,8 +78,9 @@ fn a_cell_with_more_particles_than_places() {
     let mut at = vec![([0.01, 0.01, 0.01], [0.0; 3]), ([0.05, 0.01, 0.05], [0.0; 3]), ([0.01, 0.01, 0.08], [0.0; 3])];
     at.push(([0.05, 0.185, 0.05], [0.0, -20.0, 0.0]));
     let mut heap = heap_for(&scene, 4);
-    let plan = Plan::of(&scene);
-    let mut solver = Solver::with_particles(&scene, plan, 4, places(&at), heap.lend()).expect("it starts");
+    let known = checked(&scene);
+    let plan = Plan::of(&known);
+    let mut solver = Solver::with_particles(&known, plan, 4, places(&at), heap.lend()).expect("it starts");
     let mut good = 0;
     while solver.step(&Serial).is_ok() {
         good += 1;
@@ -96,7 +98,8 @@ fn a_quantity_that_is_not_finite_any_more() {
     let scene = support::scene("thesis-cube", &set).file.scene;
     // particle 0 stands in the cell of particle 1, out of everyone's reach, and must not be drawn in by a lane beside it
     let at = [[4.945, 0.0, 0.0], [5.025, 0.06, 0.06], [5.125, 0.06, 0.06]];
-    let cell = |x: [f32; 3]| x.map(|x| (x * millpond_core::guided::parameters(&scene).inverse_cell[0]).floor());
+    let inverse_cell = checked(&scene).derived().parameters.inverse_cell[0];
+    let cell = |x: [f32; 3]| x.map(|x| (x * inverse_cell).floor());
     assert_eq!(cell(at[0]), cell(at[1]));
     let places = places(&[(at[0], [0.0; 3]), (at[1], [0.0; 3]), (at[2], [-50.0, 0.0, 0.0])]);
     let error = StepError::NotFinite { particle: 1, quantity: Quantity::Velocity, step: 1 };
@@ -109,6 +112,7 @@ fn a_scene_that_cannot_start() {
     let start = |position: [f32; 3], velocity: [f32; 3]| {
         let mut heap = heap_for(&scene, 2);
         let at = places(&[([0.0; 3], [0.0; 3]), (position, velocity)]);
+        let scene = checked(&scene);
         Solver::with_particles(&scene, Plan::of(&scene), 2, at, heap.lend()).err()
     };
     let far = SceneError::FirstStep(StepError::OutOfRange { particle: 1, axis: Axis::Y, step: 1 });
@@ -123,7 +127,7 @@ fn a_scene_that_cannot_start() {
 #[test]
 fn memory_that_is_too_small() {
     let scene = support::scene("thesis-cube", &[]).file.scene;
-    let needs = Needs::of(&scene);
+    let needs = Needs::of(&checked(&scene));
     let cases = [
         (Needs { particles: 4095, ..needs }, "particles", 4096, 4095),
         (Needs { cells: 32_767, ..needs }, "cells", 32_768, 32_767),
@@ -135,7 +139,7 @@ fn memory_that_is_too_small() {
     }
     let mut lists = scene.clone();
     lists.grid.structure = GridStructure::CellLists { places: 8 };
-    let mut heap = Heap::of(&scene);
+    let mut heap = Heap::of(&scene.check().expect("a scene"));
     let refused = Solver::new(&lists, heap.lend()).err();
     let needed = 8 * 32_768;
     assert_eq!(refused, Some(SceneError::CapacityExceeded { what: "places of cells", needed, capacity: 0 }));
@@ -197,20 +201,20 @@ fn scenes_that_cannot_be() {
 
     let mut flat = support::scene("dam-break-2d", &[]).file.scene;
     flat.gravity[2] = 1.0;
-    assert_eq!(flat.check(), Err(SceneError::OutOfPlane));
+    assert_eq!(flat.check().err(), Some(SceneError::OutOfPlane));
 }
 
 #[test]
 fn plans_and_places_that_do_not_fit() {
     let scene = support::scene("dam-break-2d", &[]).file.scene;
-    let start = |plan, count, at: &[Place]| {
+    let start = |plan, count, at: &[InitialParticle]| {
         let mut heap = heap_for(&scene, count);
-        Solver::with_particles(&scene, plan, count, at.iter().copied(), heap.lend()).err()
+        Solver::with_particles(&checked(&scene), plan, count, at.iter().copied(), heap.lend()).err()
     };
-    let plan = Plan::of(&scene);
+    let plan = Plan::of(&checked(&scene));
     let one = places(&[([0.5, 0.5, 0.0], [0.0; 3])]);
     assert_eq!(start(plan, 1, &one), None);
-    let spatial = Plan::of(&support::scene("dam-break", &[]).file.scene);
+    let spatial = Plan::of(&support::scene("dam-break", &[]).checked().expect("a scene"));
     assert_eq!(start(spatial, 1, &one), Some(SceneError::PlanOfAnotherScene));
     let off = places(&[([0.5, 0.5, 0.1], [0.0; 3])]);
     assert_eq!(start(plan, 1, &off), Some(SceneError::OutOfPlane));

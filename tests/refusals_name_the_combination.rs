@@ -11,7 +11,7 @@ fn scene(change: impl FnOnce(&mut Scene)) -> Result<(), SceneError> {
     let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, Fluid::default(), block);
     scene.gravity = [0.0, -9.81, 0.0];
     change(&mut scene);
-    scene.check()
+    scene.check().map(|_| ())
 }
 
 /// Asserts that the two are refused, named so.
@@ -250,7 +250,7 @@ fn springs_that_do_not_fit() {
     let jelly = Fluid { elastic_stiffness: 10.0, ..Fluid::default() };
     let mut scene = Scene::of(Dimension::Two, 0.05, 0.001, jelly, block);
     let solver = |scene: &Scene| {
-        let mut heap = millpond::memory::Heap::of(scene);
+        let mut heap = millpond::memory::Heap::of(&scene.check()?);
         Solver::new(scene, heap.lend()).map(|solver| solver.springs().count())
     };
     // 4 x 2 particles: 4 + 6 along the sides of the squares, 6 across them

@@ -5,7 +5,7 @@
 //! SIMD level, in debug and release, with either grid structure, and on the GPU backend in strict mode.
 //!
 //! Read in this order:
-//! 1. [`scene`], what can be asked for, and [`guided`] and [`kinds`], all that follows from it;
+//! 1. [`scene`], what can be asked for; [`validate`], what is refused; [`derive`], all that follows from what is not;
 //! 2. [`step`], one page: the passes and their order;
 //! 3. [`terms`], the physics, each formula once for scalar, lanes and WGSL ([`arithmetic`] holds the vocabulary);
 //! 4. `passes`, the loops, and [`grid`], how neighbours are found;
@@ -17,14 +17,11 @@
 
 pub mod arithmetic;
 mod clock;
+pub mod derive;
 pub mod error;
 pub mod executor;
 pub mod grid;
-pub mod guided;
 pub mod hash;
-pub mod kernel;
-pub mod kinds;
-pub mod lattice_sums;
 pub mod layout;
 pub mod memory;
 mod particle;
@@ -37,8 +34,8 @@ pub mod springs;
 mod start;
 pub mod step;
 pub mod storage;
-pub mod tables;
 pub mod terms;
+pub mod validate;
 
 pub use heapless;
 
@@ -57,3 +54,4 @@ pub use step::Pass;
 pub use storage::{
     AirStorage, CellPlaces, Extras, FieldStorage, SpringStorage, Storage, SurfaceStorage, TableStorage, TimeStorage,
 };
+pub use validate::Checked;

@@ -6,10 +6,11 @@ use crate::layout::Model;
 use crate::memory::Needs;
 use crate::scene::{
     DensityForm, Dimension, EquationOfState, Evaluation, Fluid, GridStructure, ModelChoice, NearPressure, Reflection,
-    Scene, SurfaceTension, Viscosity,
+    SurfaceTension, Viscosity,
 };
 use crate::step::Pass;
 use crate::terms::{integrate, near, tension, viscosity, wall};
+use crate::validate::Checked;
 use heapless::Vec;
 
 /// What a step of a scene consists of.
@@ -36,7 +37,7 @@ pub type Terms = Vec<&'static str, 16>;
 impl Plan {
     /// The plan of a scene: nothing that it does not need.
     #[must_use]
-    pub fn of(scene: &Scene) -> Plan {
+    pub fn of(scene: &Checked<'_>) -> Plan {
         let everything = Plan::everything(scene);
         let (fluid, choice) = (&scene.fluid, &scene.model);
         let shears = choice.viscosity == Viscosity::Exchange && fluid.velocity_exchange != 0.0;
@@ -81,7 +82,7 @@ impl Plan {
 
     /// The same scene with every term that can be left out left in, at coefficient 0.
     #[must_use]
-    pub fn everything(scene: &Scene) -> Plan {
+    pub fn everything(scene: &Checked<'_>) -> Plan {
         let choice = scene.model;
         let near = if choice.near_pressure == NearPressure::Off { NearPressure::Thesis } else { choice.near_pressure };
         let tensionless = choice.surface_tension == SurfaceTension::Off;
@@ -312,20 +313,20 @@ fn is_elastic(fluid: &Fluid) -> bool {
 }
 
 impl Needs {
-    /// Of a scene that [`Scene::check`] accepts.
+    /// Of a scene, by its own plan.
     #[must_use]
-    pub fn of(scene: &Scene) -> Needs {
+    pub fn of(scene: &Checked<'_>) -> Needs {
         Needs::by_plan(scene, &Plan::of(scene))
     }
 
     /// Of a scene by this plan of it.
     #[must_use]
-    pub fn by_plan(scene: &Scene, plan: &Plan) -> Needs {
-        let m = &plan.model;
+    pub fn by_plan(scene: &Checked<'_>, plan: &Plan) -> Needs {
+        let (m, derived) = (&plan.model, scene.derived());
         // and one for air that is not there
-        let cells = scene.cells().iter().map(|&n| n as usize).product::<usize>() + m.air as usize;
+        let cells = derived.cells.iter().map(|&n| n as usize).product::<usize>() + m.air as usize;
         Needs {
-            particles: scene.particle_count(),
+            particles: derived.particles(),
             cells,
             places: m.cell_places as usize * cells,
             smoothing: m.xsph == 1,
@@ -334,14 +335,14 @@ impl Needs {
             free: m.corrects_pressure(),
             normals: m.normals == 1,
             springs: m.springs == 1,
-            spring_ends: if m.springs == 1 { scene.spring_ends() } else { 0 },
+            spring_ends: if m.springs == 1 { derived.spring_ends } else { 0 },
             plastic: m.plastic == 1,
             air: m.air == 1,
             history: integrate::has_history(m),
             earlier: integrate::needs_earlier(m),
             ahead: m.foresees(),
             tables: m.reads_tables(),
-            nodes: scene.field_counts()[3] as usize,
+            nodes: derived.field_counts[3] as usize,
         }
     }
 }

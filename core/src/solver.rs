@@ -1,19 +1,18 @@
 //! The public face: a scene in lent memory, stepped.
 use crate::arithmetic::level::Simd;
 use crate::clock::{Clock, TimeReport};
+use crate::derive::kernel_tables::fill_tables;
 use crate::error::{SceneError, StepError};
 use crate::executor::Executor;
-use crate::guided::{first_air, parameters};
 use crate::hash::state_hash;
 use crate::layout::{Model, Parameters, Status, f32x4, u32x2, u32x4};
 use crate::memory::{Memory, Needs, State};
 use crate::passes::Setup;
 use crate::passes::p23_look::Seen;
 use crate::plan::Plan;
-use crate::scene::{Place, Scene, check_count, places};
-use crate::springs::join;
+use crate::scene::{InitialParticle, Scene};
 use crate::step::{self, Pass, Settled, SpringEnds};
-use crate::tables::fill_tables;
+use crate::validate::{Checked, check_count};
 
 /// A fluid that can be stepped.
 ///
@@ -71,30 +70,29 @@ impl<'m> Solver<'m> {
     /// # Errors
     /// A scene that cannot run, or memory too small for it.
     pub fn new(scene: &Scene, memory: Memory<'m>) -> Result<Solver<'m>, SceneError> {
-        scene.check()?;
-        Solver::with_particles(scene, Plan::of(scene), scene.particle_count(), places(scene), memory)
+        let scene = scene.check()?;
+        Solver::with_particles(&scene, Plan::of(&scene), scene.derived().particles(), scene.initial_particles(), memory)
     }
 
     /// The same by a plan of the scene's, and with `count` particles wherever you like; their ids are 0, 1, 2 ... With air the
     /// last [`Air::capacity`](crate::scene::Air::capacity) of them are its own: of its fluid, or not there yet.
     ///
     /// # Errors
-    /// As for [`Solver::new`]; also a plan of another scene, and more or fewer places than `count`.
+    /// Memory that is too small; a plan of another scene; more or fewer particles than `count`.
     pub fn with_particles(
-        scene: &Scene,
+        scene: &Checked<'_>,
         plan: Plan,
         count: usize,
-        places: impl IntoIterator<Item = Place>,
+        particles: impl IntoIterator<Item = InitialParticle>,
         memory: Memory<'m>,
     ) -> Result<Solver<'m>, SceneError> {
-        scene.check()?;
         check_count(count as u64)?;
         if plan != Plan::of(scene) && plan != Plan::everything(scene) {
             return Err(SceneError::PlanOfAnotherScene);
         }
         let memory = memory.cut(&Needs { particles: count, ..Needs::by_plan(scene, &plan) })?;
-        let parameters =
-            Parameters { particle_count: count as u32, first_air: first_air(scene, count), ..parameters(scene) };
+        let first_air = count.saturating_sub(scene.air_capacity()) as u32;
+        let parameters = Parameters { particle_count: count as u32, first_air, ..scene.derived().parameters };
         let simd = Simd::detect();
         let settled = Settled::default();
         let mut solver = Solver {
@@ -112,10 +110,10 @@ impl<'m> Solver<'m> {
         };
         fill_tables(&scene.model, scene.dimension.count(), solver.memory.tables);
         solver.memory.field.fill([0.0; 4]);
-        solver.fill(scene, places)?;
+        solver.fill(scene, particles)?;
         solver.evaluate()?;
         // no spring pulls at the start, so that it does not matter that they are made last
-        join(&mut solver, scene)?;
+        solver.join(scene)?;
         solver.remember();
         Ok(solver)
     }

@@ -6,7 +6,7 @@ use crate::pool::Pool;
 use crate::scenes::Named;
 use millpond_core::hash::state_hash;
 use millpond_core::layout::{Parameters, f32x4, u32x2, u32x4};
-use millpond_core::scene::{Place, Scene};
+use millpond_core::scene::{InitialParticle, Scene};
 use millpond_core::springs::energy;
 use millpond_core::{AirReport, CorrectionReport, Plan, Solver, TimeReport};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
@@ -95,13 +95,13 @@ impl Snapshot {
     }
 
     /// Where particles would be to go on from here.
-    pub fn places(&self) -> impl Iterator<Item = Place> {
+    pub fn places(&self) -> impl Iterator<Item = InitialParticle> {
         let vector = |[x, y, z, _]: f32x4| [x, y, z];
         let all = self.position.iter().zip(&self.velocity).zip(&self.density_pressure);
-        all.map(move |((x, v), d)| Place {
+        all.map(move |((x, v), d)| InitialParticle {
             position: vector(*x),
             velocity: vector(*v),
-            species: v[3] as u32,
+            material: v[3] as u32,
             mass: x[3],
             deviation: d[0],
             pressure: d[1],

@@ -1,8 +1,7 @@
 //! Memory for a scene of any size, from the heap. An embedder with a fixed capacity uses `Storage` instead.
 use millpond_core::layout::{TABLE_WORDS, f32x4, u32x2, u32x4};
 use millpond_core::memory::{LIST_ENTRIES, Scratch, Springs, State};
-use millpond_core::scene::Scene;
-use millpond_core::{Memory, Needs};
+use millpond_core::{Checked, Memory, Needs};
 
 /// As much memory as a scene needs.
 #[derive(Debug)]
@@ -33,9 +32,9 @@ pub struct Heap {
 }
 
 impl Heap {
-    /// For a scene that `Scene::check` accepts.
+    /// For a scene.
     #[must_use]
-    pub fn of(scene: &Scene) -> Heap {
+    pub fn of(scene: &Checked<'_>) -> Heap {
         Heap::with(Needs::of(scene))
     }
 

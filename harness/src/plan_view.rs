@@ -6,8 +6,8 @@ use crate::output::deliver;
 use crate::pool::Pool;
 use crate::scenes::{Named, load};
 use crate::timing::{Milliseconds, timed};
-use millpond_core::scene::{GridStructure, Scene, places};
-use millpond_core::{Needs, Plan, Solver};
+use millpond_core::scene::{GridStructure, Scene};
+use millpond_core::{Checked, Needs, Plan, Solver};
 use serde::Serialize;
 
 /// Options of `plan`.
@@ -87,7 +87,7 @@ pub struct PlanTimes {
 }
 
 /// Places of a cell in the figure of what cell lists would cost: twice the default neighbours.
-const USUAL_PLACES: u32 = 64;
+const USUAL_PLACES: usize = 64;
 
 /// Runs `plan`.
 ///
@@ -105,20 +105,21 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
 /// # Errors
 /// A scene that cannot run.
 pub fn view(named: &Named, pool: &Pool, steps: u32) -> Result<PlanView, Failure> {
-    let scene = &named.file.scene;
+    let scene = &named.checked()?;
     let plan = Plan::of(scene);
     let needs = Needs::of(scene);
     let used = needs.bytes();
+    let rivals = Rivals::of(scene);
     let [by_plan, by_everything] = time(named, pool, steps)?;
     let passes = plan.passes().map(|p| PassView { name: p.name(), terms: plan.terms(p).into_iter().collect() });
-    let bytes_of = |what: &str| bytes_saved(scene, needs, what);
+    let bytes_of = |what: &str| rivals.bytes_saved(needs, what);
     let left_out = plan.left_out();
     let left_out = left_out.iter().map(|l| LeftOutView { what: l.what, why: l.why, bytes: bytes_of(l.what) });
     Ok(PlanView {
         scene: named.name.clone(),
         passes: passes.collect(),
         left_out: left_out.collect(),
-        bytes: Bytes { used, everything: everything(scene) },
+        bytes: Bytes { used, everything: rivals.everything },
         arrays: needs
             .arrays()
             .into_iter()
@@ -130,59 +131,67 @@ pub fn view(named: &Named, pool: &Pool, steps: u32) -> Result<PlanView, Failure>
     })
 }
 
-/// Memory that something left out would take.
-fn bytes_saved(scene: &Scene, needs: Needs, what: &str) -> usize {
-    let ends = ends_if_elastic(scene);
-    let with = match what {
-        "cell lists" => Needs { places: Needs::of(&with_lists(scene)).places, ..needs },
-        "XSPH" => Needs { smoothing: true, ..needs },
-        "thermal energy" => Needs { heat: true, ..needs },
-        "variable support" => Needs { previous: true, ..needs },
-        "pressure correction" => Needs { previous: true, free: true, ..needs },
-        "kernel tables" => Needs { tables: true, ..needs },
-        "normals" => Needs { normals: true, ..needs },
-        "elasticity" => Needs { springs: true, spring_ends: ends, ..needs },
-        "air" => Needs { air: true, ..needs },
-        "plasticity" => Needs { plastic: true, spring_ends: ends, springs: true, ..needs },
-        _ => needs,
-    };
-    with.bytes() - needs.bytes()
+/// What a scene would take with what it leaves out.
+struct Rivals {
+    /// Places of the cells with cell lists.
+    places: usize,
+    /// Ends of springs, as many as its blocks would have, were all of them elastic.
+    spring_ends: usize,
+    /// Bytes with all that this version can leave out.
+    everything: usize,
 }
 
-/// Ends of springs of a scene, as many as its blocks would have, were all of them elastic.
+impl Rivals {
+    fn of(scene: &Checked<'_>) -> Rivals {
+        let all = Needs::by_plan(scene, &Plan::everything(scene));
+        let lists = matches!(scene.grid.structure, GridStructure::CellLists { .. });
+        let places = if lists { all.places } else { all.cells * USUAL_PLACES };
+        let spring_ends = ends_if_elastic(scene);
+        let all = Needs { places, previous: true, free: true, tables: true, air: true, ..all };
+        Rivals { places, spring_ends, everything: Needs { spring_ends, plastic: true, ..all }.bytes() }
+    }
+
+    /// Memory that something left out would take.
+    fn bytes_saved(&self, needs: Needs, what: &str) -> usize {
+        let ends = self.spring_ends;
+        let with = match what {
+            "cell lists" => Needs { places: self.places, ..needs },
+            "XSPH" => Needs { smoothing: true, ..needs },
+            "thermal energy" => Needs { heat: true, ..needs },
+            "variable support" => Needs { previous: true, ..needs },
+            "pressure correction" => Needs { previous: true, free: true, ..needs },
+            "kernel tables" => Needs { tables: true, ..needs },
+            "normals" => Needs { normals: true, ..needs },
+            "elasticity" => Needs { springs: true, spring_ends: ends, ..needs },
+            "air" => Needs { air: true, ..needs },
+            "plasticity" => Needs { plastic: true, spring_ends: ends, springs: true, ..needs },
+            _ => needs,
+        };
+        with.bytes() - needs.bytes()
+    }
+}
+
+/// Ends of springs of a scene, as many as its blocks would have, were all of its fluids elastic; none where they cannot be.
 fn ends_if_elastic(scene: &Scene) -> usize {
     let mut elastic = scene.clone();
-    std::iter::once(&mut elastic.fluid).chain(&mut elastic.other_fluids).for_each(|f| f.elastic_stiffness = 1.0);
-    elastic.spring_ends()
-}
-
-/// The scene with cell lists.
-fn with_lists(scene: &Scene) -> Scene {
-    let mut lists = scene.clone();
-    if scene.grid.structure == GridStructure::IndexSort {
-        lists.grid.structure = GridStructure::CellLists { places: USUAL_PLACES };
+    let air = scene.air.map(|air| air.fluid);
+    let fluids = std::iter::once(&mut elastic.fluid).chain(&mut elastic.other_fluids);
+    for (_, fluid) in (0..).zip(fluids).filter(|(number, _)| Some(*number) != air) {
+        fluid.elastic_stiffness = 1.0;
     }
-    lists
-}
-
-/// Memory of a scene with all that this version can leave out.
-fn everything(scene: &Scene) -> usize {
-    let lists = with_lists(scene);
-    let plan = Plan::everything(&lists);
-    let needs = Needs::by_plan(&lists, &plan);
-    let spring_ends = ends_if_elastic(scene);
-    Needs { previous: true, free: true, tables: true, air: true, spring_ends, plastic: true, ..needs }.bytes()
+    elastic.check().map_or(0, |elastic| elastic.derived().spring_ends)
 }
 
 /// Times the two plans in turn, so that both meet the same mood of the machine.
 fn time(named: &Named, pool: &Pool, steps: u32) -> Result<[Milliseconds; 2], Failure> {
-    let scene = &named.file.scene;
+    let scene = &named.checked()?;
     let plans = [Plan::of(scene), Plan::everything(scene)];
     let mut heaps = plans.map(|plan| Heap::with(Needs::by_plan(scene, &plan)));
     let mut times = [Vec::new(), Vec::new()];
     let mut solvers = Vec::new();
     for (heap, plan) in heaps.iter_mut().zip(plans) {
-        let solver = Solver::with_particles(scene, plan, scene.particle_count(), places(scene), heap.lend());
+        let count = scene.derived().particles();
+        let solver = Solver::with_particles(scene, plan, count, scene.initial_particles(), heap.lend());
         solvers.push(solver.map_err(|error| Failure::Scene { origin: named.name.clone(), error })?);
     }
     for _ in 0..steps {

@@ -5,9 +5,9 @@
 //! look at each id.
 use super::{Setup, is_dormant};
 use crate::arithmetic::real::vec3;
+use crate::derive::material::DORMANT;
 use crate::layout::f32x4;
 use crate::memory::State;
-use crate::scene::DORMANT;
 use crate::terms::air::{is_thin, place_of_birth};
 
 /// What became of a step's air.

@@ -1,7 +1,7 @@
 //! Water at rest in a tank of wall particles in the plane, open at the top: what three studies look at.
 use super::flow::{fluid, grid, mean};
 use millpond_core::Solver;
-use millpond_core::guided::support_radius;
+use millpond_core::derive::support_radius;
 use millpond_core::scene::{Block, Dimension, Face, Fluid, Kernel, ModelChoice, Scene, Wall, WallShape};
 
 /// A tank of water.

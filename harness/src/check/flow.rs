@@ -4,11 +4,23 @@ use crate::failure::Failure;
 use crate::memory::Heap;
 use crate::output::progress;
 use millpond_core::hash::tree_sum;
-use millpond_core::scene::{Dimension, Grid, Place, Scene};
-use millpond_core::{Needs, Particle, Plan, Solver};
+use millpond_core::scene::{Dimension, Grid, InitialParticle, Scene};
+use millpond_core::{Checked, Needs, Particle, Plan, SceneError, Solver};
+
+/// A study's scene with all that follows from it.
+///
+/// # Errors
+/// A scene that cannot run.
+pub(super) fn checked<'s>(study: &str, scene: &'s Scene) -> Result<Checked<'s>, Failure> {
+    scene.check().map_err(refused_by(study))
+}
+
+fn refused_by(study: &str) -> impl Fn(SceneError) -> Failure {
+    move |error| Failure::Scene { origin: format!("check {study}"), error }
+}
 
 /// Memory for a scene with so many particles.
-pub(super) fn heap_for(scene: &Scene, particles: usize) -> Heap {
+pub(super) fn heap_for(scene: &Checked<'_>, particles: usize) -> Heap {
     Heap::with(Needs { particles, ..Needs::of(scene) })
 }
 
@@ -18,12 +30,11 @@ pub(super) fn heap_for(scene: &Scene, particles: usize) -> Heap {
 /// A scene that cannot start.
 pub(super) fn start_with<'m>(
     study: &str,
-    scene: &Scene,
-    places: Vec<Place>,
+    scene: &Checked<'_>,
+    places: Vec<InitialParticle>,
     heap: &'m mut Heap,
 ) -> Result<Solver<'m>, Failure> {
-    let refused = |error| Failure::Scene { origin: format!("check {study}"), error };
-    Solver::with_particles(scene, Plan::of(scene), places.len(), places, heap.lend()).map_err(refused)
+    Solver::with_particles(scene, Plan::of(scene), places.len(), places, heap.lend()).map_err(refused_by(study))
 }
 
 /// Steps of `scene` that come nearest to `seconds`.

@@ -2,7 +2,7 @@
 //! places where `f32` has no digits left.
 use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
-use millpond_core::guided::support_radius;
+use millpond_core::derive::support_radius;
 use millpond_core::scene::{Container, GridStructure, Scene, Viscosity, Wall, WallShape};
 use millpond_core::{Axis, SceneError, StepError};
 
