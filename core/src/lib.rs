@@ -5,7 +5,7 @@
 //! SIMD level, in debug and release, with either grid structure, and on the GPU backend in strict mode.
 //!
 //! Read in this order:
-//! 1. [`scene`], what can be asked for; [`validate`], what is refused; [`derive`], all that follows from what is not;
+//! 1. [`scene`], what can be asked for; [`validate`], what is refused; [`mod@derive`], all that follows from what is not;
 //! 2. [`step`], one page: the passes and their order;
 //! 3. [`terms`], the physics, each formula once for scalar, lanes and WGSL ([`arithmetic`] holds the vocabulary);
 //! 4. `passes`, the loops, and [`grid`], how neighbours are found;

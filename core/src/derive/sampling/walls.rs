@@ -1,7 +1,7 @@
 //! Where the particles of walls are: layers of the fluid's own lattice, outside of it.
-use super::super::material::FIRST_WALL;
-use super::super::scales::Scales;
 use super::lattice::{indices, volume, whole};
+use crate::derive::material::FIRST_WALL;
+use crate::derive::scales::Scales;
 use crate::scene::{Face, InitialParticle, Scene, Wall, WallPressure, WallShape};
 
 /// Layers of a wall: S1's two with mirrored pressure, S0's three as quasi-fluid; more where the support reaches further.
