@@ -87,7 +87,8 @@ pub fn energy(
         // what an end pulls with for each metre, as a force
         let mass = f64::from(p.particle_mass) * f64::from(rest) * f64::from(x_a[3]);
         let half_stiffness = f64::from(f32::from_bits(pull)) * mass;
-        let own = ends.get(first as usize..(first + count) as usize).unwrap_or_default();
+        let first = first as usize;
+        let own = ends.get(first..first.saturating_add(count as usize)).unwrap_or_default();
         let energy = |&[b, length]: &u32x2| {
             let rest_length = f32::from_bits(length);
             if a > b || rest_length < 0.0 {
