@@ -5,14 +5,14 @@ use millpond::pool::Pool;
 use millpond::snapshot::Snapshot;
 use millpond_core::OwnedMemory;
 use millpond_core::scene::{
-    Air, Block, Container, Dimension, Fluid, Grid, ModelChoice, Periodic, Place, Scene, SurfaceTension, Wall,
-    WallShape, places,
+    Air, Block, Container, Dimension, Fluid, Grid, InitialParticle, ModelChoice, Periodic, Scene, SurfaceTension, Wall,
+    WallShape,
 };
 use millpond_core::{AirReport, Array, Particle, Pass, Plan, Requirements, SceneError, Serial, Simd, Solver};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 
 mod support;
-use support::device;
+use support::{checked, device};
 
 const SPACING: f32 = 0.05;
 
@@ -41,6 +41,8 @@ fn coat(solver: &Solver<'_>) -> Vec<Particle> {
 #[test]
 fn a_bare_drop_is_coated_and_stays_so() {
     for scene in both() {
+        let scene = checked(&scene);
+        let derived = scene.derived();
         let mut heap = OwnedMemory::of(&scene);
         let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
         assert_eq!(solver.air(), AirReport { alive: 0, refused: 0 }, "none at the start, when time stands still");
@@ -59,7 +61,7 @@ fn a_bare_drop_is_coated_and_stays_so() {
                 let others = there.iter().filter(|b| b.id != born.id);
                 let nearest = others.map(|b| b.position.distance(born.position)).fold(f32::INFINITY, f32::min);
                 assert!(nearest > 0.749 * SPACING, "made in the way of others: {} spacings", nearest / SPACING);
-                let water = now[..scene.fluid_count()].iter();
+                let water = now[..derived.fluid_particles].iter();
                 let parent = water.map(|b| (b.position.distance(born.position) / SPACING - 1.0).abs());
                 assert!(parent.fold(f32::INFINITY, f32::min) < 1e-3, "made a spacing from its parent");
             }
@@ -70,18 +72,22 @@ fn a_bare_drop_is_coated_and_stays_so() {
         assert_eq!(air.len(), solver.air().alive as usize);
         assert_eq!(solver.air().refused, 0, "there was room for all");
         assert!(air.len() >= first.alive as usize / 2, "{} are left", air.len());
-        assert_eq!(solver.particles().len(), scene.particle_count());
+        assert_eq!(solver.particles().len(), derived.particles());
     }
 }
 
 #[test]
 fn air_without_liquid_vanishes() {
     for scene in both() {
-        let (count, water) = (scene.particle_count(), scene.fluid_count());
-        let mut all: Vec<Place> = places(&scene).collect();
+        let scene = checked(&scene);
+        let (count, water) = (scene.derived().particles(), scene.derived().fluid_particles);
+        let mut all: Vec<InitialParticle> = scene.initial_particles().collect();
         let lost = water + 7;
-        all[lost] =
-            Place::of_fluid(1, if scene.dimension == Dimension::Two { [1.9, 1.9, 0.0] } else { [1.9; 3] }, [0.0; 3]);
+        all[lost] = InitialParticle::of_fluid(
+            1,
+            if scene.dimension == Dimension::Two { [1.9, 1.9, 0.0] } else { [1.9; 3] },
+            [0.0; 3],
+        );
         let mut heap = OwnedMemory::of(&scene);
         let plan = Plan::of(&scene);
         let mut solver = Solver::with_particles(&scene, plan, count, all.clone(), heap.lend()).expect("a scene");
@@ -93,7 +99,7 @@ fn air_without_liquid_vanishes() {
         assert!(ids.iter().all(|&id| id as usize != lost) && ids.contains(&(lost as u32 + 1)));
 
         // the coat's numbers are the coat's
-        all[lost].species = 0;
+        all[lost].material = 0;
         let refused = Solver::with_particles(&scene, plan, count, all, heap.lend()).err();
         assert_eq!(refused, Some(SceneError::UnplannedParticle { particle: lost as u32 }));
     }
@@ -104,7 +110,7 @@ fn births_that_find_nobody_are_counted() {
     let gpu = device("air_keeps_its_bits", Mode::Strict);
     for capacity in [1, 5] {
         let scene = drop(Dimension::Two, capacity);
-        let mut heap = OwnedMemory::of(&scene);
+        let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
         let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
         let mut on_device = gpu.as_ref().map(|gpu| GpuSolver::new(gpu, &solver).expect("a device that takes it"));
         let mut before = 0;
@@ -124,8 +130,9 @@ fn births_that_find_nobody_are_counted() {
 #[test]
 fn a_scene_without_air_has_no_bytes_for_it() {
     let mut scene = drop(Dimension::Two, 100);
-    let with = Requirements::of(&scene);
+    let with = Requirements::of(&checked(&scene));
     scene.air = None;
+    let scene = checked(&scene);
     let without = Requirements::of(&scene);
     for array in [Array::total_colour_gradient, Array::spawn_requested] {
         assert_eq!(without.bytes_of(array), 0, "{}", array.name());
@@ -202,7 +209,7 @@ fn scenes(base: &Scene) -> Vec<(&'static str, Scene)> {
 const STEPS: u32 = 60;
 
 fn by_cpu(scene: &Scene, simd: Simd, threads: usize) -> (Snapshot, AirReport) {
-    let mut heap = OwnedMemory::of(scene);
+    let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
     let mut solver = Solver::new(scene, heap.lend()).expect("a scene").at_level(simd);
     let pool = Pool::new(threads).expect("threads");
     (0..STEPS).for_each(|_| solver.step(&pool).expect("a step"));
@@ -210,16 +217,17 @@ fn by_cpu(scene: &Scene, simd: Simd, threads: usize) -> (Snapshot, AirReport) {
 }
 
 fn by_everything(scene: &Scene) -> u64 {
-    let plan = Plan::everything(scene);
-    let mut heap = OwnedMemory::with(&Requirements::by_plan(scene, &plan));
-    let (count, places) = (scene.particle_count(), places(scene));
-    let mut solver = Solver::with_particles(scene, plan, count, places, heap.lend()).expect("a scene");
+    let scene = checked(scene);
+    let plan = Plan::everything(&scene);
+    let mut heap = OwnedMemory::with(&Requirements::by_plan(&scene, &plan));
+    let (count, places) = (scene.derived().particles(), scene.initial_particles());
+    let mut solver = Solver::with_particles(&scene, plan, count, places, heap.lend()).expect("a scene");
     (0..STEPS).for_each(|_| solver.step(&Serial).expect("a step"));
     solver.hash()
 }
 
 fn by_gpu(scene: &Scene, gpu: &Gpu) -> (Snapshot, AirReport) {
-    let mut heap = OwnedMemory::of(scene);
+    let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
     let solver = Solver::new(scene, heap.lend()).expect("a scene");
     let mut fluid = GpuSolver::new(gpu, &solver).expect("a device that takes it");
     fluid.step(STEPS).expect("steps on the device");

@@ -10,10 +10,11 @@ use millpond_core::{Plan, Requirements, Simd, Solver};
 mod support;
 
 fn hashes(scene: &Scene, plan: Plan, simd: Simd, threads: usize, list: bool, steps: usize) -> Vec<u64> {
-    let mut heap = OwnedMemory::with(&Requirements::by_plan(scene, &plan));
+    let scene = support::checked(scene);
+    let mut heap = OwnedMemory::with(&Requirements::by_plan(&scene, &plan));
     let memory = heap.lend().with_neighbour_entries(if list { usize::MAX } else { 0 });
-    let places = millpond_core::scene::places(scene);
-    let solver = Solver::with_particles(scene, plan, scene.particle_count(), places, memory).expect("a scene");
+    let (count, places) = (scene.derived().particles(), scene.initial_particles());
+    let solver = Solver::with_particles(&scene, plan, count, places, memory).expect("a scene");
     let mut solver = solver.at_level(simd);
     let pool = Pool::new(threads).expect("threads");
     (0..steps)
@@ -31,7 +32,7 @@ fn same(what: &str, want: &[u64], got: &[u64]) {
 }
 
 fn check(scene: &Scene, steps: usize) {
-    let plan = Plan::of(scene);
+    let plan = Plan::of(&support::checked(scene));
     let want = hashes(scene, plan, Simd::Scalar, 1, true, steps);
     assert_ne!(want[0], want[steps - 1], "a fluid that does not move tests nothing");
     same("lanes, base", &want, &hashes(scene, plan, Simd::Base, 1, true, steps));
@@ -41,7 +42,7 @@ fn check(scene: &Scene, steps: usize) {
     same("no neighbour lists", &want, &hashes(scene, plan, Simd::detect(), 1, false, steps));
     let mut other = scene.clone();
     other.grid.structure = GridStructure::CellLists { places: 64 };
-    same("cell lists", &want, &hashes(&other, Plan::of(&other), Simd::detect(), 2, true, steps));
+    same("cell lists", &want, &hashes(&other, Plan::of(&support::checked(&other)), Simd::detect(), 2, true, steps));
     other.grid.structure = GridStructure::IndexSort;
     other.grid.cells = other.grid.cells.map(|n| if n == 1 { 1 } else { 5 });
     same("a grid that wraps", &want, &hashes(&other, plan, Simd::detect(), 2, true, steps));
@@ -66,7 +67,8 @@ fn for_500_steps_in_the_plane() {
 fn with_every_term_that_the_plan_leaves_out() {
     for name in ["dam-break", "thesis-cube", "dam-break-2d"] {
         let scene = support::scaled(name, 1000).file.scene;
-        let [plan, everything] = [Plan::of(&scene), Plan::everything(&scene)];
+        let known = support::checked(&scene);
+        let [plan, everything] = [Plan::of(&known), Plan::everything(&known)];
         assert_ne!(plan, everything, "{name} leaves something out");
         let want = hashes(&scene, plan, Simd::detect(), 1, true, 100);
         same(name, &want, &hashes(&scene, everything, Simd::detect(), 1, true, 100));

@@ -3,18 +3,17 @@
 use millpond::compare::difference;
 use millpond::snapshot::Snapshot;
 use millpond_core::OwnedMemory;
-use millpond_core::guided::parameters;
-use millpond_core::scene::{Block, GridStructure, Place, Scene};
+use millpond_core::scene::{Block, GridStructure, InitialParticle, Scene};
 use millpond_core::{Plan, Requirements, Serial, Simd, Solver};
 use millpond_gpu::{GpuSolver, Mode};
 
 mod support;
-use support::device;
+use support::{checked, device};
 
 /// Compares after every `stride` steps.
 fn check(test: &str, scene: &Scene, steps: u64, stride: u32) {
     let Some(gpu) = device(test, Mode::Strict) else { return };
-    let mut heap = OwnedMemory::of(scene);
+    let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
     let mut cpu = Solver::new(scene, heap.lend()).expect("a scene");
     let mut fluid = GpuSolver::new(&gpu, &cpu).expect("a device that takes it");
     while cpu.steps() < steps {
@@ -46,7 +45,7 @@ fn for_no_particle_and_for_one() {
     let corner = [0.5, 1.0, 0.0];
     let block = Block { corner, size: [scene.particle_spacing; 3], ..Block::default() };
     scene.blocks = [block].into_iter().collect();
-    assert_eq!(scene.particle_count(), 1);
+    assert_eq!(checked(&scene).derived().particles(), 1);
     check("bits_same_on_gpu, one particle", &scene, 100, 10);
 }
 
@@ -57,15 +56,16 @@ fn for_a_pair_at_the_very_edge_of_the_support() {
     let mut scene = support::scene("thesis-cube", &["particle_spacing=0.027", "average_neighbours=32"]).file.scene;
     scene.blocks.clear();
     let apart: f32 = 0.053_176_23;
-    let p = parameters(&scene);
+    let p = checked(&scene).derived().parameters;
     assert!(apart * apart * p.inverse_support_squared >= 1.0 && apart * p.inverse_support < 1.0, "the case there was");
     let points = [[0.0, 0.0, 0.0], [0.0, apart, 0.0], [0.0, 0.01, 0.0], [0.0, apart + 0.01, 0.0]];
-    let places = points.map(|position| Place::at(position, [position[1], 1.0 - position[1], 0.3]));
+    let places = points.map(|position| InitialParticle::at(position, [position[1], 1.0 - position[1], 0.3]));
     same_on_all_paths("edge of the support", &scene, &places);
 }
 
 /// Scalar, lanes with and without lists, and a device, over ten steps.
-fn same_on_all_paths(test: &str, scene: &Scene, places: &[Place]) {
+fn same_on_all_paths(test: &str, scene: &Scene, places: &[InitialParticle]) {
+    let scene = &checked(scene);
     let gpu = device(test, Mode::Strict);
     let start = |heap: &mut OwnedMemory, simd, list: bool| {
         let memory = heap.lend().with_neighbour_entries(if list { usize::MAX } else { 0 });
@@ -91,11 +91,12 @@ fn same_on_all_paths(test: &str, scene: &Scene, places: &[Place]) {
 #[test]
 fn with_every_term_that_the_plan_leaves_out() {
     let Some(gpu) = device("bits_same_on_gpu, everything", Mode::Strict) else { return };
-    let scene = support::scaled("thesis-cube", 500).file.scene;
+    let named = support::scaled("thesis-cube", 500);
+    let scene = checked(&named.file.scene);
     let hashes = [Plan::of(&scene), Plan::everything(&scene)].map(|plan| {
         let mut heap = OwnedMemory::with(&Requirements::by_plan(&scene, &plan));
-        let places = millpond_core::scene::places(&scene);
-        let cpu = Solver::with_particles(&scene, plan, scene.particle_count(), places, heap.lend()).expect("a scene");
+        let (count, places) = (scene.derived().particles(), scene.initial_particles());
+        let cpu = Solver::with_particles(&scene, plan, count, places, heap.lend()).expect("a scene");
         let mut fluid = GpuSolver::new(&gpu, &cpu).expect("a device that takes it");
         fluid.step(50).expect("steps on the device");
         fluid.read().expect("a state").hash()

@@ -9,9 +9,8 @@ mod support;
 
 /// A moving fluid.
 fn state() -> Snapshot {
-    let mut scene = support::scaled("dam-break", 300).file.scene;
-    (scene.model.thermal_energy, scene.model.surface_normals, scene.fluid.xsph) = (true, true, 0.2);
-    let mut heap = OwnedMemory::of(&scene);
+    let scene = support::scaled("dam-break", 300).file.scene;
+    let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
     let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
     (0..20).for_each(|_| solver.step(&Serial).expect("a step"));
     Snapshot::of_cpu(&solver)
@@ -65,7 +64,7 @@ fn swapped_missing_and_broken_particles_are_seen() {
     assert!(difference(&want, &swapped).is_some());
 
     let mut fewer = want.clone();
-    [Array::position, Array::velocity].map(|array| fewer.words_mut(array).truncate(40));
+    [Array::position, Array::velocity].into_iter().for_each(|array| fewer.words_mut(array).truncate(40));
     assert!(difference(&want, &fewer).is_some());
 
     let mut broken = want.clone();

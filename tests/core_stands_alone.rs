@@ -30,7 +30,7 @@ fn a_program_without_std_and_allocator_steps_the_same_bits() {
     let program = target.join("release/millpond-bare");
 
     let ran = Command::new(&program).output().expect("it runs");
-    let mut heap = OwnedMemory::of(&scene());
+    let mut heap = OwnedMemory::of(&scene().check().expect("a scene"));
     let mut solver = Solver::new(&scene(), heap.lend()).expect("a scene");
     (0..200).for_each(|_| solver.step(&Serial).expect("a step"));
     assert_eq!(String::from_utf8_lossy(&ran.stdout), format!("{:016x}", solver.hash()));

@@ -18,7 +18,7 @@ use millpond_gpu::{Gpu, GpuSolver, Mode};
 use std::collections::BTreeSet;
 
 mod support;
-use support::device;
+use support::{checked, device};
 
 /// A scene that has something of everything to act on: two blocks that collide over a floor, with gravity.
 fn base(dimension: Dimension) -> Scene {
@@ -366,7 +366,9 @@ fn walls(s: &mut Scene) {
 
 /// Some field, of a shape that no symmetry hides.
 fn field(scene: &Scene) -> Vec<f32x4> {
-    (0..scene.field_counts()[3]).map(|i| [i as f32 * 0.7, 3.0 - (i * i) as f32 * 0.1, (i % 3) as f32, 0.0]).collect()
+    (0..checked(scene).derived().field_counts[3])
+        .map(|i| [i as f32 * 0.7, 3.0 - (i * i) as f32 * 0.1, (i % 3) as f32, 0.0])
+        .collect()
 }
 
 const STEPS: u32 = 8;
@@ -400,7 +402,7 @@ fn check(dimension: Dimension) {
     let base = base(dimension);
     let mut seen = BTreeSet::new();
     for (name, scene) in choices(&base) {
-        let heap = || OwnedMemory::of(&scene);
+        let heap = || OwnedMemory::of(&scene.check().expect("a scene"));
         let [want, on_device] = by_cpu(&scene, Simd::Scalar, 1, &mut heap(), gpu.as_ref());
         let want = want.expect("a state");
         let fastest = want.velocity().iter().flatten().fold(0.0f32, |all, v| all.max(v.abs()));
@@ -409,7 +411,8 @@ fn check(dimension: Dimension) {
         assert!(lanes.as_ref() == Some(&want), "{name}: lanes on two threads");
         let [base_lanes, _] = by_cpu(&scene, Simd::Base, 1, &mut heap(), None);
         assert!(base_lanes.as_ref() == Some(&want), "{name}: base lanes");
-        let plan = Plan::of(&scene);
+        let known = checked(&scene);
+        let plan = Plan::of(&known);
         if gpu.is_none() {
             for pass in plan.passes() {
                 let read = validate(&program(pass, &plan.model, Words::Native));
@@ -419,11 +422,10 @@ fn check(dimension: Dimension) {
             assert!(on_device.as_ref() == Some(&want), "{name}: on the device");
         }
         // by its plan and by everything, the same
-        let mut heap = OwnedMemory::with(&millpond_core::Requirements::by_plan(&scene, &Plan::everything(&scene)));
-        let places = millpond_core::scene::places(&scene);
-        let plan = Plan::everything(&scene);
-        let mut whole =
-            Solver::with_particles(&scene, plan, scene.particle_count(), places, heap.lend()).expect("a scene");
+        let mut heap = OwnedMemory::with(&millpond_core::Requirements::by_plan(&known, &Plan::everything(&known)));
+        let (count, places) = (known.derived().particles(), known.initial_particles());
+        let plan = Plan::everything(&known);
+        let mut whole = Solver::with_particles(&known, plan, count, places, heap.lend()).expect("a scene");
         whole.set_field(&field(&scene)).expect("a field");
         let pool = Pool::new(1).expect("a thread");
         (0..STEPS).for_each(|_| whole.step(&pool).expect("a step"));

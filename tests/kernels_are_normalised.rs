@@ -3,7 +3,7 @@
 //!
 //! Quadrature and differences are in f64 over the f32 terms themselves. `millpond check kernels` says more.
 use approx::assert_relative_eq;
-use millpond_core::kernel::{laplacian, near_slope_constant, slope, value};
+use millpond_core::derive::kernel_constants::{laplacian, near_slope_constant, slope, value};
 use millpond_core::layout::Model;
 use millpond_core::scene::Kernel;
 use millpond_core::terms::kernel::{kernel_slope, kernel_w};

@@ -10,7 +10,7 @@ use naga::{AddressSpace, Module, TypeInner};
 mod support;
 
 fn module(pass: Pass) -> Module {
-    let plan = Plan::everything(&support::scene("dam-break", &[]).file.scene);
+    let plan = Plan::everything(&support::scene("dam-break", &[]).checked().expect("a scene"));
     validate(&program(pass, &plan.model, Words::Native)).unwrap_or_else(|e| panic!("{}: {e}", pass.name())).0
 }
 

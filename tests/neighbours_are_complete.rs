@@ -1,11 +1,10 @@
 //! Promise: the grid finds exactly the pairs that brute force finds, whatever the cloud, the structure and the wrapping.
 use millpond_core::OwnedMemory;
-use millpond_core::guided::parameters;
 use millpond_core::scene::{Dimension, GridStructure, Periodic, Scene};
 use millpond_core::{Serial, Solver};
 
 mod support;
-use support::{Random, at_rest, heap_for};
+use support::{Random, at_rest, checked, heap_for};
 
 /// The thesis cube's fluid, in either dimension.
 fn scene_in(dimension: Dimension) -> Scene {
@@ -14,7 +13,8 @@ fn scene_in(dimension: Dimension) -> Scene {
 
 /// Every pair inside each other's support, by looking at all of them with the solver's own distance.
 fn brute_force(scene: &Scene, points: &[[f32; 3]]) -> Vec<(u32, u32)> {
-    let (scale, period) = (parameters(scene).inverse_support_squared, parameters(scene).period);
+    let p = checked(scene).derived().parameters;
+    let (scale, period) = (p.inverse_support_squared, p.period);
     let image = |d: f32, period: f32| {
         let images = [d - period, d, d + period].into_iter();
         images.min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(d)
@@ -72,7 +72,7 @@ fn in_clouds_that_wrap_onto_each_other() {
     for dimension in [Dimension::Two, Dimension::Three] {
         // 960 cells are a multiple of 3, 4 and 32: two clouds that far apart share all their cells
         let mut points = cloud(3, 200, dimension, 0.0, 0.6);
-        let cell = 1.0 / parameters(&scene_in(dimension)).inverse_cell[0];
+        let cell = 1.0 / checked(&scene_in(dimension)).derived().parameters.inverse_cell[0];
         points.extend(cloud(3, 200, dimension, 0.0, 0.6).iter().map(|p| [p[0] + 960.0 * cell, p[1], p[2]]));
         check("two clouds in the same cells", dimension, &points);
     }
@@ -81,7 +81,7 @@ fn in_clouds_that_wrap_onto_each_other() {
 #[test]
 fn for_points_exactly_on_cell_faces() {
     for dimension in [Dimension::Two, Dimension::Three] {
-        let cell = 1.0 / parameters(&scene_in(dimension)).inverse_cell[0];
+        let cell = 1.0 / checked(&scene_in(dimension)).derived().parameters.inverse_cell[0];
         // half a cell apart, on faces, edges and corners, and one ULP beside them
         let layers = if dimension == Dimension::Two { 0..=0 } else { -3..=3 };
         let mut points = Vec::new();
@@ -101,7 +101,7 @@ fn for_points_exactly_on_cell_faces() {
 #[test]
 fn after_walls_have_moved_particles_across_cell_faces() {
     let scene = support::scaled("dam-break", 1000).file.scene;
-    let mut heap = OwnedMemory::of(&scene);
+    let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
     let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
     (0..150).for_each(|_| solver.step(&Serial).expect("a step"));
     let points: Vec<[f32; 3]> = solver.particles().map(|p| p.position.to_array()).collect();

@@ -1,20 +1,21 @@
 //! Promise: every error is a typed value that names what went wrong, the same on both backends, and leaves the state hash
 //! as it was.
 use millpond::snapshot::Snapshot;
-use millpond_core::scene::{GridStructure, Place, Scene};
-use millpond_core::{Memory, Plan, Quantity, Requirements, SceneError, Serial, Simd, Solver, StepError, Storage};
+use millpond_core::Quantity;
+use millpond_core::scene::{GridStructure, InitialParticle, Scene};
+use millpond_core::{Axis, Memory, Plan, Requirements, SceneError, Serial, Simd, Solver, StepError, Storage};
 use millpond_gpu::{Gpu, GpuError, GpuSolver, Mode};
 
 mod support;
-use support::{device, heap_for};
+use support::{checked, device, heap_for};
 
 /// Particles of the thesis cube's fluid at these places.
-fn places(at: &[([f32; 3], [f32; 3])]) -> Vec<Place> {
-    at.iter().map(|&(position, velocity)| Place::at(position, velocity)).collect()
+fn places(at: &[([f32; 3], [f32; 3])]) -> Vec<InitialParticle> {
+    at.iter().map(|&(position, velocity)| InitialParticle::at(position, velocity)).collect()
 }
 
 /// Steps both backends until they refuse; asserts that they do so with `error`, after `steps` good steps, keeping the state.
-fn refuses(test: &str, scene: &Scene, places: &[Place], steps: u64, error: StepError) {
+fn refuses(test: &str, scene: &Scene, places: &[InitialParticle], steps: u64, error: StepError) {
     let gpu = device(test, Mode::Strict);
     for simd in [Simd::Scalar, Simd::detect()] {
         refuses_at(simd, gpu.as_ref(), test, scene, places, steps, error);
@@ -26,12 +27,13 @@ fn refuses_at(
     gpu: Option<&Gpu>,
     test: &str,
     scene: &Scene,
-    places: &[Place],
+    places: &[InitialParticle],
     steps: u64,
     error: StepError,
 ) {
     let mut heap = heap_for(scene, places.len());
-    let start = Solver::with_particles(scene, Plan::of(scene), places.len(), places.iter().copied(), heap.lend());
+    let scene = checked(scene);
+    let start = Solver::with_particles(&scene, Plan::of(&scene), places.len(), places.iter().copied(), heap.lend());
     let mut solver = start.expect("a scene that starts").at_level(simd);
     let on_device = gpu.map(|gpu| GpuSolver::new(gpu, &solver).expect("a device that takes it"));
 
@@ -63,7 +65,7 @@ fn a_particle_beyond_the_grids_range() {
         ([2.0, 0.0, 0.0], [0.0, 1.9e8, 0.0]),
         ([3.0, 0.0, 0.0], [0.0, 1.93e8, 1.93e8]),
     ]);
-    let error = StepError::OutOfRange { particle: 2, axis: 1, step: 3 };
+    let error = StepError::OutOfRange { particle: 2, axis: Axis::Y, step: 3 };
     refuses("out of range", &scene, &places, 2, error);
 }
 
@@ -75,8 +77,9 @@ fn a_cell_with_more_particles_than_places() {
     let mut at = vec![([0.01, 0.01, 0.01], [0.0; 3]), ([0.05, 0.01, 0.05], [0.0; 3]), ([0.01, 0.01, 0.08], [0.0; 3])];
     at.push(([0.05, 0.185, 0.05], [0.0, -20.0, 0.0]));
     let mut heap = heap_for(&scene, 4);
-    let plan = Plan::of(&scene);
-    let mut solver = Solver::with_particles(&scene, plan, 4, places(&at), heap.lend()).expect("it starts");
+    let known = checked(&scene);
+    let plan = Plan::of(&known);
+    let mut solver = Solver::with_particles(&known, plan, 4, places(&at), heap.lend()).expect("it starts");
     let mut good = 0;
     while solver.step(&Serial).is_ok() {
         good += 1;
@@ -94,7 +97,8 @@ fn a_quantity_that_is_not_finite_any_more() {
     let scene = support::scene("thesis-cube", &set).file.scene;
     // particle 0 stands in the cell of particle 1, out of everyone's reach, and must not be drawn in by a lane beside it
     let at = [[4.945, 0.0, 0.0], [5.025, 0.06, 0.06], [5.125, 0.06, 0.06]];
-    let cell = |x: [f32; 3]| x.map(|x| (x * millpond_core::guided::parameters(&scene).inverse_cell[0]).floor());
+    let inverse_cell = checked(&scene).derived().parameters.inverse_cell[0];
+    let cell = |x: [f32; 3]| x.map(|x| (x * inverse_cell).floor());
     assert_eq!(cell(at[0]), cell(at[1]));
     let places = places(&[(at[0], [0.0; 3]), (at[1], [0.0; 3]), (at[2], [-50.0, 0.0, 0.0])]);
     let error = StepError::NotFinite { particle: 1, quantity: Quantity::Velocity, step: 1 };
@@ -107,9 +111,10 @@ fn a_scene_that_cannot_start() {
     let start = |position: [f32; 3], velocity: [f32; 3]| {
         let mut heap = heap_for(&scene, 2);
         let at = places(&[([0.0; 3], [0.0; 3]), (position, velocity)]);
+        let scene = checked(&scene);
         Solver::with_particles(&scene, Plan::of(&scene), 2, at, heap.lend()).err()
     };
-    let far = SceneError::FirstStep(StepError::OutOfRange { particle: 1, axis: 1, step: 1 });
+    let far = SceneError::FirstStep(StepError::OutOfRange { particle: 1, axis: Axis::Y, step: 1 });
     assert_eq!(start([0.0, 1e30, 0.0], [0.0; 3]), Some(far));
     for bad in [f32::NAN, f32::INFINITY] {
         let none = |quantity| Some(SceneError::ParticleNotFinite { particle: 1, quantity });
@@ -127,7 +132,7 @@ fn memory_that_is_too_small() {
     assert_eq!(refused(storage.lend()), too_few("position", 4096, 4095));
     let mut storage: Box<Storage<4096, 32_767>> = Storage::boxed();
     assert_eq!(refused(storage.lend()), too_few("grid_cell_counters", 32_768, 32_767));
-    let needed = Requirements::of(&scene).arena_bytes();
+    let needed = Requirements::of(&checked(&scene)).arena_bytes();
     let mut arena = vec![0u64; needed / 8 - 1];
     assert_eq!(
         refused(Memory::of_arena(bytemuck::cast_slice_mut(&mut arena))),
@@ -137,7 +142,7 @@ fn memory_that_is_too_small() {
     let mut warm = scene.clone();
     warm.model.thermal_energy = true;
     let mut storage: Box<Storage<4096, 32_768>> = Storage::boxed();
-    let beside = Requirements::of(&warm).arena_bytes_beside_storage();
+    let beside = Requirements::of(&checked(&warm)).arena_bytes_beside_storage();
     assert_eq!(Solver::new(&warm, storage.lend()).err(), too_few("bytes of arena", beside, 0));
 }
 
@@ -164,9 +169,9 @@ fn scenes_that_cannot_be() {
     let error = refused(&|s| s.fluid.speed_of_sound = 1e30);
     assert_eq!(error, SceneError::OutOfScale { field: "fluid.speed_of_sound", value: 1e30 });
     let error = refused(&|s| s.particle_spacing = 3.0);
-    assert_eq!(error, SceneError::EmptyBlock { block: 0, axis: 0, size: 1.2 });
+    assert_eq!(error, SceneError::EmptyBlock { block: 0, axis: Axis::X, size: 1.2 });
     let error = refused(&|s| s.blocks[0].corner[1] = 2.0);
-    assert_eq!(error, SceneError::BlockOutside { block: 0, axis: 1, by: 1.0 });
+    assert_eq!(error, SceneError::BlockOutside { block: 0, axis: Axis::Y, by: 1.0 });
     assert_eq!(field(refused(&|s| s.fluid.dynamic_viscosity = -1.0)), "fluid.dynamic_viscosity");
     assert_eq!(field(refused(&|s| s.fluid.near_stiffness = Some(-1.0))), "fluid.near_stiffness");
     assert_eq!(field(refused(&|s| s.blocks[0].size[0] = 0.0)), "blocks.size");
@@ -187,8 +192,8 @@ fn scenes_that_cannot_be() {
     let most = 65_536.0 * base.particle_spacing;
     assert_eq!(error, SceneError::OutOfBounds { field: "blocks.corner", value: 1e4, least: -most, most });
     let error = refused(&|s| s.container.as_mut().expect("a box").high[1] = 0.0);
-    assert_eq!(error, SceneError::EmptyContainer { axis: 1, low: 0.0, high: 0.0 });
-    assert_eq!(refused(&|s| s.grid.cells[2] = 2), SceneError::TooFewCells { axis: 2, cells: 2 });
+    assert_eq!(error, SceneError::EmptyContainer { axis: Axis::Y, low: 0.0, high: 0.0 });
+    assert_eq!(refused(&|s| s.grid.cells[2] = 2), SceneError::TooFewCells { axis: Axis::Z, cells: 2 });
     let error = refused(&|s| s.grid.cells = [4096, 4096, 4096]);
     assert_eq!(error, SceneError::TooManyCells { cells: [4096; 3], places: 1 });
     let error = refused(&|s| s.grid.structure = GridStructure::CellLists { places: 0 });
@@ -197,26 +202,27 @@ fn scenes_that_cannot_be() {
 
     let mut flat = support::scene("dam-break-2d", &[]).file.scene;
     flat.gravity[2] = 1.0;
-    assert_eq!(flat.check(), Err(SceneError::OutOfPlane));
+    assert_eq!(flat.check().err(), Some(SceneError::OutOfPlane));
 }
 
 #[test]
 fn plans_and_places_that_do_not_fit() {
     let scene = support::scene("dam-break-2d", &[]).file.scene;
-    let start = |plan, count, at: &[Place]| {
+    let start = |plan, count, at: &[InitialParticle]| {
         let mut heap = heap_for(&scene, count);
-        Solver::with_particles(&scene, plan, count, at.iter().copied(), heap.lend()).err()
+        Solver::with_particles(&checked(&scene), plan, count, at.iter().copied(), heap.lend()).err()
     };
-    let plan = Plan::of(&scene);
+    let plan = Plan::of(&checked(&scene));
     let one = places(&[([0.5, 0.5, 0.0], [0.0; 3])]);
     assert_eq!(start(plan, 1, &one), None);
-    let spatial = Plan::of(&support::scene("dam-break", &[]).file.scene);
+    let spatial = Plan::of(&support::scene("dam-break", &[]).checked().expect("a scene"));
     assert_eq!(start(spatial, 1, &one), Some(SceneError::PlanOfAnotherScene));
     let off = places(&[([0.5, 0.5, 0.1], [0.0; 3])]);
     assert_eq!(start(plan, 1, &off), Some(SceneError::OutOfPlane));
-    let short = SceneError::CapacityExceeded { what: "places of particles", needed: 2, capacity: 1 };
+    let call = "with_particles";
+    let short = SceneError::WrongLength { call, what: "particles", given: 1, expected: 2 };
     assert_eq!(start(plan, 2, &one), Some(short));
-    let over = SceneError::CapacityExceeded { what: "particles", needed: 1, capacity: 0 };
+    let over = SceneError::WrongLength { call, what: "particles", given: 1, expected: 0 };
     assert_eq!(start(plan, 0, &one), Some(over));
 }
 

@@ -4,15 +4,15 @@
 use approx::assert_relative_eq;
 use millpond::snapshot::Snapshot;
 use millpond_core::OwnedMemory;
-use millpond_core::guided::{kinematic_viscosity, speed_of_sound, support_radius};
+use millpond_core::derive::{speed_of_sound, support_radius};
 use millpond_core::scene::{
-    Adaptive, Block, Container, Dimension, Fluid, Grid, GridStructure, Integrator, ModelChoice, Place, Scene,
+    Adaptive, Block, Container, Dimension, Fluid, Grid, GridStructure, InitialParticle, Integrator, ModelChoice, Scene,
 };
 use millpond_core::{Array, Plan, Requirements, Serial, Solver, StepError, TimeReport};
 use millpond_gpu::{GpuSolver, Mode};
 
 mod support;
-use support::device;
+use support::{checked, device};
 
 /// A block that falls onto a floor: slow, then fast, then hard.
 fn falling() -> Scene {
@@ -66,7 +66,7 @@ fn wanted(scene: &Scene, solver: &Solver<'_>) -> f64 {
 fn each_step_is_what_its_criteria_ask_for() {
     for scene in [falling(), impact()] {
         let adaptive = scene.adaptive.expect("an adaptive step");
-        let mut heap = OwnedMemory::of(&scene);
+        let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
         let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
         let mut sum = 0.0;
         let mut lengths = Vec::new();
@@ -93,7 +93,7 @@ fn each_step_is_what_its_criteria_ask_for() {
 fn the_first_step_obeys_too() {
     let mut scene = falling();
     scene.time_step = 0.01;
-    let mut heap = OwnedMemory::of(&scene);
+    let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
     let solver = Solver::new(&scene, heap.lend()).expect("a scene");
     assert_relative_eq!(f64::from(solver.time_report().next), wanted(&scene, &solver), max_relative = 1e-6);
 }
@@ -102,7 +102,7 @@ fn the_first_step_obeys_too() {
 fn a_step_that_was_too_long_is_made_again() {
     let scene = impact();
     let run = |scene: &Scene| {
-        let mut heap = OwnedMemory::of(scene);
+        let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
         let mut solver = Solver::new(scene, heap.lend()).expect("a scene");
         let mut too_long = 0;
         for _ in 0..300 {
@@ -125,7 +125,7 @@ fn a_step_that_was_too_long_is_made_again() {
 fn a_step_that_cannot_be_short_enough_is_counted() {
     let mut scene = falling();
     scene.adaptive = scene.adaptive.map(|adaptive| Adaptive { smallest: 1e-3, redo_above: Some(1.0), ..adaptive });
-    let mut heap = OwnedMemory::of(&scene);
+    let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
     let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
     (0..20).for_each(|_| solver.step(&Serial).expect("a step"));
     let TimeReport { time_step, held, redone, .. } = solver.time_report();
@@ -137,7 +137,7 @@ fn a_device_keeps_the_same_clock() {
     let Some(gpu) = device("steps_follow_the_state", Mode::Strict) else { return };
     for at_once in [1, 67] {
         let scene = impact();
-        let mut heap = OwnedMemory::of(&scene);
+        let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
         let mut cpu = Solver::new(&scene, heap.lend()).expect("a scene");
         let mut fluid = GpuSolver::new(&gpu, &cpu).expect("a device that takes it");
         while cpu.steps() < 268 {
@@ -159,7 +159,7 @@ fn a_refused_step_leaves_the_clock_alone() {
     for places in 12..18 {
         let mut scene = impact();
         scene.grid.structure = GridStructure::CellLists { places };
-        let mut heap = OwnedMemory::of(&scene);
+        let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
         let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
         let fluid = gpu.as_ref().map(|gpu| GpuSolver::new(gpu, &solver).expect("a device that takes it"));
         let state = |solver: &Solver<'_>| Snapshot::of_cpu(solver);
@@ -185,10 +185,10 @@ fn a_refused_step_leaves_the_clock_alone() {
 fn the_lighter_of_two_fluids_is_moved_the_more() {
     let mut scene = falling();
     scene.fluid.dynamic_viscosity = 100.0;
-    assert_relative_eq!(kinematic_viscosity(&scene), 0.1);
+    assert_relative_eq!(checked(&scene).derived().kinematic_viscosity, 0.1);
     let _ = scene.other_fluids.push(Fluid { rest_density: 1.0, dynamic_viscosity: 0.0, ..Fluid::default() });
     // at the interface the mean of 100 and 0 Pa s acts on 1 kg/m3
-    assert_relative_eq!(kinematic_viscosity(&scene), 50.0);
+    assert_relative_eq!(checked(&scene).derived().kinematic_viscosity, 50.0);
 }
 
 #[test]
@@ -199,7 +199,7 @@ fn stiffness_follows_a_wanted_step() {
     let fastest = 0.2 * support_radius(&scene) / 5e-4;
     assert_relative_eq!(speed_of_sound(&scene, &scene.fluid), fastest, max_relative = 1e-6);
     assert_relative_eq!(speed_of_sound(&scene, &scene.other_fluids[0]), fastest / 4.0, max_relative = 1e-6);
-    let mut heap = OwnedMemory::of(&scene);
+    let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
     let solver = Solver::new(&scene, heap.lend()).expect("a scene");
     assert_relative_eq!(solver.courant(scene.time_step).sound, 0.2, max_relative = 0.02);
 }
@@ -213,8 +213,9 @@ fn a_thrown_particle_keeps_to_its_parabola() {
         scene.container = None;
         scene.model.integrator = integrator;
         scene.time_step = 1.0 / 64.0;
-        let mut heap = OwnedMemory::with(&Requirements::of(&scene).for_particles(1));
-        let thrown = [Place::at([0.25, 0.5, 0.0], [0.5, 2.0, 0.0])];
+        let mut heap = OwnedMemory::with(&Requirements::of(&checked(&scene)).for_particles(1));
+        let thrown = [InitialParticle::at([0.25, 0.5, 0.0], [0.5, 2.0, 0.0])];
+        let scene = checked(&scene);
         let plan = Plan::of(&scene);
         let mut solver = Solver::with_particles(&scene, plan, 1, thrown, heap.lend()).expect("a scene");
         (0..STEPS).for_each(|_| solver.step(&Serial).expect("a step"));
@@ -244,7 +245,7 @@ fn only_what_remembers_has_memory_for_it() {
         let mut scene = falling();
         scene.adaptive = None;
         scene.model.integrator = integrator;
-        let needs = Requirements::of(&scene);
+        let needs = Requirements::of(&checked(&scene));
         let history = matches!(integrator, Verlet | Beeman | VelocityCorrectedBeeman | PositionCorrectedBeeman);
         assert_eq!(has(&needs, Array::history), history, "{integrator:?}");
         assert_eq!(
@@ -254,6 +255,6 @@ fn only_what_remembers_has_memory_for_it() {
         );
         assert!(!has(&needs, Array::end_velocity));
         scene.fluid.xsph = 0.1;
-        assert!(has(&Requirements::of(&scene), Array::end_velocity));
+        assert!(has(&Requirements::of(&checked(&scene)), Array::end_velocity));
     }
 }

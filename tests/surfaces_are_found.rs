@@ -1,10 +1,10 @@
 //! Promise: who is at the surface of a fluid, where it points and how it is curved can be asked for each particle, between like
 //! fluids and in nothing; and a scene that does not ask finds none.
-use millpond_core::scene::{Block, Dimension, Fluid, Kernel, ModelChoice, Place, Scene, SurfaceTension};
+use millpond_core::scene::{Block, Dimension, Fluid, InitialParticle, Kernel, ModelChoice, Scene, SurfaceTension};
 use millpond_core::{Particle, Plan, Solver};
 
 mod support;
-use support::heap_for;
+use support::{checked, heap_for};
 
 /// Spacings, of the disc and of the square around it; m.
 const RADIUS: f32 = 20.0;
@@ -22,11 +22,13 @@ fn disc(model: ModelChoice, in_a_like_fluid: bool) -> Vec<Particle> {
     let lattice = (-HALF..HALF).flat_map(|y| (-HALF..HALF).map(move |x| [f32::from(x) + 0.5, f32::from(y) + 0.5]));
     let place = |[x, y]: [f32; 2]| {
         let outside = x.hypot(y) >= RADIUS;
-        Place::of_fluid(u32::from(outside), [x * SPACING, y * SPACING, 0.0], [0.0; 3])
+        InitialParticle::of_fluid(u32::from(outside), [x * SPACING, y * SPACING, 0.0], [0.0; 3])
     };
-    let places: Vec<Place> = lattice.map(place).filter(|place| in_a_like_fluid || place.species == 0).collect();
+    let places: Vec<InitialParticle> =
+        lattice.map(place).filter(|place| in_a_like_fluid || place.material == 0).collect();
     let mut heap = heap_for(&scene, places.len());
-    let solver = Solver::with_particles(&scene, Plan::of(&scene), places.len(), places, heap.lend());
+    let solver =
+        Solver::with_particles(&checked(&scene), Plan::of(&checked(&scene)), places.len(), places, heap.lend());
     solver.expect("a scene").particles().collect()
 }
 

@@ -14,7 +14,7 @@ use std::path::Path;
 mod support;
 
 fn model() -> Model {
-    Plan::everything(&support::scene("dam-break", &[]).file.scene).model
+    Plan::everything(&support::scene("dam-break", &[]).checked().expect("a scene")).model
 }
 
 /// All functions of a program: name, body, and what naga knows of its types.

@@ -2,7 +2,6 @@
 //! rounding of single precision; with thermal energy kept account of, the sum of all energies strays with the square of
 //! the time step; an even motion of everything changes nothing.
 use millpond_core::OwnedMemory;
-use millpond_core::guided::particle_mass;
 use millpond_core::scene::{
     Block, DensityForm, Dimension, Evaluation, Fluid, Grid, Kernel, ModelChoice, NearPressure, Periodic, PressureForce,
     Scene, SurfaceTension, Viscosity,
@@ -22,7 +21,7 @@ fn collision(model: ModelChoice) -> Scene {
 }
 
 fn momentum(scene: &Scene, solver: &Solver<'_>) -> [f64; 3] {
-    let over_density = particle_mass(scene) / f64::from(scene.fluid.rest_density);
+    let over_density = scene.check().expect("a scene").derived().particle_mass / f64::from(scene.fluid.rest_density);
     let mass = |fluid: u32| over_density * f64::from(scene.fluid_of(fluid).rest_density);
     let sum = |axis: usize| solver.particles().map(|p| mass(p.fluid) * f64::from(p.velocity[axis])).sum();
     [sum(0), sum(1), sum(2)]
@@ -30,7 +29,7 @@ fn momentum(scene: &Scene, solver: &Solver<'_>) -> [f64; 3] {
 
 /// How much momentum appears out of nothing in 100 steps, kg m/s.
 fn strayed(scene: &Scene) -> f64 {
-    let mut heap = OwnedMemory::of(scene);
+    let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
     let mut solver = Solver::new(scene, heap.lend()).expect("a scene");
     let before = momentum(scene, &solver);
     (0..100).for_each(|_| solver.step(&Serial).unwrap_or_else(|e| panic!("{:?}: {e}", scene.model)));
@@ -145,7 +144,7 @@ fn energy_to_the_order_of_the_integrator() {
             // a share a step: the same a second
             scene.fluid.velocity_exchange = 0.04 / f32::from(refinement);
             scene.other_fluids.iter_mut().for_each(|fluid| fluid.velocity_exchange = scene.fluid.velocity_exchange);
-            let mut heap = OwnedMemory::of(&scene);
+            let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
             let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
             let total = |solver: &Solver<'_>| {
                 let e = solver.energies();
@@ -178,7 +177,7 @@ fn an_even_motion_of_everything_is_no_motion() {
     scene.periodic = Some(Periodic { low: [0.0; 3], high: [0.4, 0.4, 0.0], axes: [true, true, false] });
     for evaluation in [Evaluation::Direct, Evaluation::Table] {
         scene.model = ModelChoice { evaluation, ..ModelChoice::modern() };
-        let mut heap = OwnedMemory::of(&scene);
+        let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
         let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
         (0..200).for_each(|_| solver.step(&Serial).expect("a step"));
         let off = |p: millpond_core::Particle| (p.velocity.x - 1.0).abs().max((p.velocity.y + 0.5).abs());

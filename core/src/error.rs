@@ -2,6 +2,42 @@
 use crate::plan::arrays::Quantity;
 use core::fmt;
 
+/// A direction of space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// Along x.
+    X,
+    /// Along y.
+    Y,
+    /// Along z.
+    Z,
+}
+
+impl Axis {
+    /// All of them, in order.
+    pub const ALL: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+
+    /// The axis of a number: 0 is x, 1 is y, and all others are z.
+    #[must_use]
+    pub fn of(number: usize) -> Axis {
+        match number {
+            0 => Axis::X,
+            1 => Axis::Y,
+            _ => Axis::Z,
+        }
+    }
+}
+
+impl fmt::Display for Axis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Axis::X => "x",
+            Axis::Y => "y",
+            Axis::Z => "z",
+        })
+    }
+}
+
 /// A scene that cannot run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -47,8 +83,8 @@ pub enum SceneError {
     },
     /// The container has no inside along an axis.
     EmptyContainer {
-        /// 0, 1, 2 for x, y, z.
-        axis: usize,
+        /// The axis.
+        axis: Axis,
         /// Its low side, m.
         low: f32,
         /// Its high side, m.
@@ -60,8 +96,8 @@ pub enum SceneError {
     EmptyBlock {
         /// Which block, counted from 0.
         block: usize,
-        /// 0, 1, 2 for x, y, z.
-        axis: usize,
+        /// The axis.
+        axis: Axis,
         /// Its extent, m.
         size: f32,
     },
@@ -69,15 +105,15 @@ pub enum SceneError {
     BlockOutside {
         /// Which block, counted from 0.
         block: usize,
-        /// 0, 1, 2 for x, y, z.
-        axis: usize,
+        /// The axis.
+        axis: Axis,
         /// How far, m.
         by: f32,
     },
     /// A periodic domain has no inside along an axis.
     EmptyDomain {
-        /// 0, 1, 2 for x, y, z.
-        axis: usize,
+        /// The axis.
+        axis: Axis,
         /// Its low side, m.
         low: f32,
         /// Its high side, m.
@@ -89,8 +125,8 @@ pub enum SceneError {
         what: &'static str,
         /// Which of them, counted from 0.
         index: usize,
-        /// 0, 1, 2 for x, y, z.
-        axis: usize,
+        /// The axis.
+        axis: Axis,
         /// How much too long it is, m.
         by: f32,
     },
@@ -98,8 +134,8 @@ pub enum SceneError {
     WallAdvances {
         /// Which wall, counted from 0.
         wall: usize,
-        /// 0, 1, 2 for x, y, z.
-        axis: usize,
+        /// The axis.
+        axis: Axis,
         /// Its velocity along that axis, across itself, m/s.
         velocity: f32,
     },
@@ -107,15 +143,15 @@ pub enum SceneError {
     WallExtent {
         /// Which wall, counted from 0.
         wall: usize,
-        /// 0, 1, 2 for x, y, z.
-        axis: usize,
+        /// The axis.
+        axis: Axis,
         /// Its extent, m.
         size: f32,
     },
     /// A field of accelerations needs two nodes along each axis, between which it is linear.
     TooFewNodes {
-        /// 0, 1, 2 for x, y, z.
-        axis: usize,
+        /// The axis.
+        axis: Axis,
         /// Nodes along it.
         nodes: u32,
     },
@@ -167,8 +203,8 @@ pub enum SceneError {
     },
     /// A wrapped axis needs three cells, else a neighbour would be met twice.
     TooFewCells {
-        /// 0, 1, 2 for x, y, z.
-        axis: usize,
+        /// The axis.
+        axis: Axis,
         /// Cells along it.
         cells: u32,
     },
@@ -185,6 +221,24 @@ pub enum SceneError {
         particles: u64,
         /// The limit.
         most: u64,
+    },
+    /// A call got more or fewer entries than the scene has.
+    WrongLength {
+        /// The call.
+        call: &'static str,
+        /// What it takes.
+        what: &'static str,
+        /// Entries given; one more than expected where an iterator did not end.
+        given: usize,
+        /// Entries expected.
+        expected: usize,
+    },
+    /// Fewer particles were given than the coat of air alone can have.
+    TooFewParticles {
+        /// Particles given.
+        particles: usize,
+        /// Particles of air, `air.capacity`.
+        air: usize,
     },
     /// The memory lent is too small.
     CapacityExceeded {
@@ -207,8 +261,8 @@ pub enum StepError {
     OutOfRange {
         /// Its id.
         particle: u32,
-        /// 0, 1, 2 for x, y, z.
-        axis: u32,
+        /// The axis.
+        axis: Axis,
         /// The step that was tried, counted from 1.
         step: u64,
     },
@@ -234,8 +288,6 @@ pub enum StepError {
     },
 }
 
-const AXES: [&str; 3] = ["x", "y", "z"];
-
 impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
@@ -247,32 +299,30 @@ impl fmt::Display for SceneError {
                 write!(f, "{field} is {value}, and must lie between {least} and {most}")
             }
             SceneError::EmptyContainer { axis, low, high } => {
-                write!(f, "container has no inside along {}: low {low} m, high {high} m", AXES[axis])
+                write!(f, "container has no inside along {axis}: low {low} m, high {high} m")
             }
             SceneError::OutOfPlane => write!(f, "a scene in 2D has gravity, a place or a velocity along z"),
             SceneError::EmptyBlock { block, axis, size } => {
-                write!(f, "blocks[{block}].size is {size} m along {}: less than half a particle_spacing", AXES[axis])
+                write!(f, "blocks[{block}].size is {size} m along {axis}: less than half a particle_spacing")
             }
             SceneError::BlockOutside { block, axis, by } => {
-                write!(f, "blocks[{block}] reaches {by} m through a wall along {}", AXES[axis])
+                write!(f, "blocks[{block}] reaches {by} m through a wall along {axis}")
             }
             SceneError::EmptyDomain { axis, low, high } => {
-                write!(f, "periodic has no inside along {}: low {low} m, high {high} m", AXES[axis])
+                write!(f, "periodic has no inside along {axis}: low {low} m, high {high} m")
             }
             SceneError::LapsItself { what, index, axis, by } => {
-                write!(f, "{what}[{index}] is {by} m longer than the period along {}", AXES[axis])
+                write!(f, "{what}[{index}] is {by} m longer than the period along {axis}")
             }
             SceneError::WallAdvances { wall, axis, velocity } => {
-                let axis = AXES[axis];
                 write!(f, "walls[{wall}].velocity is {velocity} m/s along {axis}, across it: a wall slides, and stays")
             }
             SceneError::WallExtent { wall, axis, size } => {
-                let axis = AXES[axis];
                 write!(f, "walls[{wall}] is {size} m along {axis}: give a plane 0 m across, and at least half a ")?;
                 write!(f, "particle_spacing along all else")
             }
             SceneError::TooFewNodes { axis, nodes } => {
-                write!(f, "field.counts has {nodes} along {}, and must have at least 2", AXES[axis])
+                write!(f, "field.counts has {nodes} along {axis}, and must have at least 2")
             }
             SceneError::NoSuchFluid { field, fluid, fluids } => {
                 write!(f, "{field} is {fluid}, and the scene's {fluids} fluids are counted from 0")
@@ -293,13 +343,19 @@ impl fmt::Display for SceneError {
                 write!(f, "{quantity:?} of particle {particle} is not a finite number")
             }
             SceneError::TooFewCells { axis, cells } => {
-                write!(f, "grid.cells has {cells} along {}, and must have at least 3", AXES[axis])
+                write!(f, "grid.cells has {cells} along {axis}, and must have at least 3")
             }
             SceneError::TooManyCells { cells: [x, y, z], places } => {
                 write!(f, "grid.cells {x} x {y} x {z} with {places} places each are more than 2^31")
             }
             SceneError::TooManyParticles { particles, most } => {
                 write!(f, "the scene has {particles} particles, and at most {most} are possible")
+            }
+            SceneError::WrongLength { call, what, given, expected } => {
+                write!(f, "`{call}` got {given} {what}, expected {expected}")
+            }
+            SceneError::TooFewParticles { particles, air } => {
+                write!(f, "air.capacity is {air}, and only {particles} particles were given: the last ones are the air")
             }
             SceneError::CapacityExceeded { what, needed, capacity } => {
                 write!(f, "the scene needs {needed} {what}, and the memory lent has {capacity}")
@@ -313,7 +369,6 @@ impl fmt::Display for StepError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             StepError::OutOfRange { particle, axis, step } => {
-                let axis = AXES[axis as usize % 3];
                 write!(f, "step {step}: particle {particle} went beyond the grid's range along {axis}")
             }
             StepError::CellFull { cell, count, capacity, step } => {

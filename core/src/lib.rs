@@ -5,7 +5,7 @@
 //! SIMD level, in debug and release, with either grid structure, and on the GPU backend in strict mode.
 //!
 //! Read in this order:
-//! 1. [`scene`], what can be asked for, and [`guided`] and [`kinds`], all that follows from it;
+//! 1. [`scene`], what can be asked for; [`validate`], what is refused; [`mod@derive`], all that follows from what is not;
 //! 2. [`step`], one page: the passes and their order;
 //! 3. [`terms`], the physics, each formula once for scalar, lanes and WGSL ([`arithmetic`] holds the vocabulary);
 //! 4. `passes`, the loops, and [`grid`], how neighbours are found;
@@ -22,14 +22,11 @@ extern crate std;
 
 pub mod arithmetic;
 mod clock;
+pub mod derive;
 pub mod error;
 pub mod executor;
 pub mod grid;
-pub mod guided;
 pub mod hash;
-pub mod kernel;
-pub mod kinds;
-pub mod lattice_sums;
 pub mod layout;
 pub mod memory;
 mod particle;
@@ -41,14 +38,14 @@ pub mod solver;
 pub mod springs;
 mod start;
 mod step;
-pub mod tables;
 pub mod terms;
+pub mod validate;
 
 pub use heapless;
 
 pub use arithmetic::level::Simd;
 pub use clock::TimeReport;
-pub use error::{SceneError, StepError};
+pub use error::{Axis, SceneError, StepError};
 pub use executor::{Executor, Serial};
 #[cfg(feature = "alloc")]
 pub use memory::OwnedMemory;
@@ -61,3 +58,4 @@ pub use plan::passes::Pass;
 pub use report::AirReport;
 pub use solver::{CorrectionReport, Solver};
 pub use springs::Spring;
+pub use validate::Checked;

@@ -1,5 +1,5 @@
 //! A particle, as a host sees it.
-use crate::kinds::NOT_THERE;
+use crate::derive::material::NOT_THERE;
 use crate::layout::{SPECIES, f32x4};
 use crate::solver::Solver;
 use glam::Vec3;

@@ -1,9 +1,9 @@
 //! The public face: a scene in lent memory, stepped.
 use crate::arithmetic::level::Simd;
 use crate::clock::{Clock, TimeReport};
+use crate::derive::kernel_tables::fill_tables;
 use crate::error::{SceneError, StepError};
 use crate::executor::Executor;
-use crate::guided::{first_air, parameters};
 use crate::hash::{full_state_hash, state_hash};
 use crate::layout::{Model, Parameters, Status, f32x4, u32x2};
 use crate::memory::{Arrays, Memory, Requirements, State};
@@ -12,10 +12,9 @@ use crate::plan::Plan;
 use crate::plan::arrays::{Array, Class};
 use crate::plan::passes::Pass;
 use crate::plan::schedule::{Command, Schedule, evaluation};
-use crate::scene::{Place, Scene, check_count, places};
-use crate::springs::join;
+use crate::scene::{InitialParticle, Scene};
 use crate::step;
-use crate::tables::fill_tables;
+use crate::validate::{Checked, check_count};
 
 /// A fluid that can be stepped.
 ///
@@ -74,31 +73,30 @@ impl<'m> Solver<'m> {
     /// # Errors
     /// A scene that cannot run, or memory too small for it.
     pub fn new(scene: &Scene, memory: Memory<'m>) -> Result<Solver<'m>, SceneError> {
-        scene.check()?;
-        Solver::with_particles(scene, Plan::of(scene), scene.particle_count(), places(scene), memory)
+        let scene = scene.check()?;
+        Solver::with_particles(&scene, Plan::of(&scene), scene.derived().particles(), scene.initial_particles(), memory)
     }
 
     /// The same by a plan of the scene's, and with `count` particles wherever you like; their ids are 0, 1, 2 ... With air the
     /// last [`Air::capacity`](crate::scene::Air::capacity) of them are its own: of its fluid, or not there yet.
     ///
     /// # Errors
-    /// As for [`Solver::new`]; also a plan of another scene, and more or fewer places than `count`.
+    /// Memory that is too small; a plan of another scene; more or fewer particles than `count`.
     pub fn with_particles(
-        scene: &Scene,
+        scene: &Checked<'_>,
         plan: Plan,
         count: usize,
-        places: impl IntoIterator<Item = Place>,
+        particles: impl IntoIterator<Item = InitialParticle>,
         memory: Memory<'m>,
     ) -> Result<Solver<'m>, SceneError> {
-        scene.check()?;
         check_count(count as u64)?;
         if plan != Plan::of(scene) && plan != Plan::everything(scene) {
             return Err(SceneError::PlanOfAnotherScene);
         }
         let requirements = Requirements::by_plan(scene, &plan).for_particles(count);
         let memory = memory.carve(&requirements)?;
-        let parameters =
-            Parameters { particle_count: count as u32, first_air: first_air(scene, count), ..parameters(scene) };
+        let first_air = count.saturating_sub(scene.air_capacity()) as u32;
+        let parameters = Parameters { particle_count: count as u32, first_air, ..scene.derived().parameters };
         let simd = Simd::detect();
         let mut solver = Solver {
             plan,
@@ -116,10 +114,10 @@ impl<'m> Solver<'m> {
         };
         fill_tables(&scene.model, scene.dimension.count(), solver.memory.given.kernel_tables);
         solver.memory.given.acceleration_field.fill([0.0; 4]);
-        solver.fill(scene, places)?;
+        solver.fill(scene, particles)?;
         solver.evaluate()?;
         // no spring pulls at the start, so that it does not matter that they are made last
-        join(&mut solver, scene)?;
+        solver.join(scene)?;
         solver.remember();
         Ok(solver)
     }
@@ -173,15 +171,15 @@ impl<'m> Solver<'m> {
     /// Fewer or more nodes than the scene says, or a value that is not finite; the field then stays as it was. Before the first
     /// step also one that makes accelerations that are no numbers; the field then is 0, and the fluid as it was.
     pub fn set_field(&mut self, nodes: &[f32x4]) -> Result<(), SceneError> {
-        let (needed, capacity) = (nodes.len(), self.memory.given.acceleration_field.len());
-        if needed != capacity {
-            return Err(SceneError::CapacityExceeded { what: "nodes of the field", needed, capacity });
+        let (given, expected) = (nodes.len(), self.memory.given.acceleration_field.len());
+        if given != expected {
+            return Err(SceneError::WrongLength { call: "set_field", what: "nodes", given, expected });
         }
         if let Some(&value) = nodes.as_flattened().iter().find(|x| !x.is_finite()) {
             return Err(SceneError::NotFinite { field: "field", value });
         }
         self.memory.given.acceleration_field.copy_from_slice(nodes);
-        if self.steps == 0 && needed > 0 {
+        if self.steps == 0 && expected > 0 {
             // the first step begins with the accelerations at the start
             if let Err(error) = self.evaluate() {
                 self.memory.given.acceleration_field.fill([0.0; 4]);

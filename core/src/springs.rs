@@ -1,13 +1,14 @@
-//! The springs of elastic fluids: made once, at the start (S0 section 2.2.6), and looked at from outside.
+//! The springs of a solver: made at its start, and looked at from outside.
+use crate::arithmetic::real::vec3;
+use crate::derive::bonds::{Bonds, End, join};
 use crate::error::SceneError;
 use crate::hash::tree_sum;
-use crate::kinds::spring_pull;
 use crate::layout::{Parameters, f32x4, u32x2, u32x4};
 use crate::plan::Plan;
-use crate::scene::Scene;
 use crate::solver::Solver;
+use crate::terms::geometry::length2;
 use crate::terms::pair::separation;
-use crate::{arithmetic::real::vec3, terms::geometry::length2};
+use crate::validate::Checked;
 
 /// A spring that is not broken.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,66 +21,39 @@ pub struct Spring {
     pub rest_length: f32,
 }
 
-/// A little more than what a scene says, so that rounding does not tell one lattice neighbour from the next.
-const REACH_MARGIN: f64 = 1.0 + 1e-5;
-
-/// Joins the particles of each elastic fluid that are within reach of each other. The ends of a particle stand in the order of
-/// the ids at the other ends, so that no grid changes a sum.
-pub(crate) fn join(solver: &mut Solver<'_>, scene: &Scene) -> Result<(), SceneError> {
-    if solver.plan().model.springs == 0 {
-        return Ok(());
-    }
-    let (m, p) = (solver.plan().model, *solver.parameters());
-    let reach = f64::from(scene.elasticity.reach) * f64::from(scene.particle_spacing) * REACH_MARGIN;
-    let pull = |[_, wall, _, fluid]: f32x4, share: f32| {
-        let of_rest = if wall > 0.0 { 0.0 } else { spring_pull(scene, scene.fluid_of(fluid as u32)) };
-        (of_rest / f64::from(share)) as f32
-    };
-    // how many ends each has, then where they begin, then who is there
-    let distance = |solver: &Solver<'_>, a: usize, b: usize| -> Option<f32> {
-        let (state, kinds) = (solver.state(), [a, b].map(|slot| solver.kind(slot)));
-        let one_fluid = kinds[0][3] == kinds[1][3] && kinds[0][1] == 0.0 && kinds[1][1] == 0.0;
-        let x_ab = separation(&m, &p, vec3::<f32>::splat(state.position[a]), vec3::splat(state.position[b]));
-        let r = crate::arithmetic::real::root(length2(x_ab));
-        (a != b && one_fluid && pull(kinds[0], 1.0) > 0.0 && f64::from(r) <= reach).then_some(r)
-    };
-    let of = core::mem::take(&mut solver.memory.given.spring_ranges);
-    let [ends, other_ends] = solver.take_spring_ends();
-    solver.visit_pairs(|solver, a, b| {
-        if distance(solver, a, b).is_some() {
-            of[solver.state().id[a] as usize][1] += 1;
-        }
-    });
-    let mut needed = 0usize;
-    for (id, of) in of.iter_mut().enumerate() {
-        let slot = solver.slots()[id] as usize;
-        of[0] = needed as u32;
-        of[2] = pull(solver.kind(slot), solver.state().position[slot][3]).to_bits();
-        needed += of[1] as usize;
-        of[1] = 0;
-    }
-    if needed > ends.len() || needed > u32::MAX as usize {
-        let (needed, capacity) = (needed / 2, ends.len() / 2);
-        return Err(SceneError::CapacityExceeded { what: "springs (elasticity.capacity)", needed, capacity });
-    }
-    solver.visit_pairs(|solver, a, b| {
-        if let Some(r) = distance(solver, a, b) {
-            let [a, b] = [a, b].map(|slot| solver.state().id[slot]);
-            let [first, count, ..] = &mut of[a as usize];
-            ends[(*first + *count) as usize] = [b, r.to_bits()];
-            *count += 1;
-        }
-    });
-    for &[first, count, ..] in of.iter() {
-        ends[first as usize..(first + count) as usize].sort_unstable_by_key(|&[other, _]| other);
-    }
-    other_ends.copy_from_slice(&ends[..other_ends.len()]);
-    solver.memory.given.spring_ranges = of;
-    solver.put_spring_ends([ends, other_ends]);
-    Ok(())
-}
-
 impl Solver<'_> {
+    /// Joins the particles of each elastic fluid that are within reach of each other.
+    pub(crate) fn join(&mut self, checked: &Checked<'_>) -> Result<(), SceneError> {
+        if self.plan().model.springs == 0 {
+            return Ok(());
+        }
+        let bonds = Bonds::of(checked, checked.derived(), self.plan().model);
+        let of = core::mem::take(&mut self.memory.given.spring_ranges);
+        let [ends, other_ends] = self.take_spring_ends();
+        for (id, of) in of.iter_mut().enumerate() {
+            of[2] = bonds.pull(self.end(self.slots()[id] as usize)).to_bits();
+        }
+        join(of, ends, &mut |found| {
+            self.visit_pairs(|solver, a, b| {
+                let id = |slot: usize| solver.state().id[slot];
+                if a != b
+                    && let Some(length) = bonds.length(solver.parameters(), solver.end(a), solver.end(b))
+                {
+                    found(id(a), id(b), length);
+                }
+            });
+        })?;
+        other_ends.copy_from_slice(&ends[..other_ends.len()]);
+        self.memory.given.spring_ranges = of;
+        self.put_spring_ends([ends, other_ends]);
+        Ok(())
+    }
+
+    /// The particle in a slot, as springs see it.
+    fn end(&self, slot: usize) -> End {
+        (self.state().position[slot], self.kind(slot))
+    }
+
     /// The springs that hold, each once.
     pub fn springs(&self) -> impl Iterator<Item = Spring> {
         (0..).zip(self.memory.given.spring_ranges.iter()).flat_map(move |(a, &[first, count, ..])| {
@@ -113,7 +87,8 @@ pub fn energy(
         // what an end pulls with for each metre, as a force
         let mass = f64::from(p.particle_mass) * f64::from(rest) * f64::from(x_a[3]);
         let half_stiffness = f64::from(f32::from_bits(pull)) * mass;
-        let own = ends.get(first as usize..(first + count) as usize).unwrap_or_default();
+        let first = first as usize;
+        let own = ends.get(first..first.saturating_add(count as usize)).unwrap_or_default();
         let energy = |&[b, length]: &u32x2| {
             let rest_length = f32::from_bits(length);
             if a > b || rest_length < 0.0 {

@@ -1,13 +1,15 @@
 //! How a fluid starts: particles into memory, the first accelerations, what an integrator would remember of the steps before.
 use crate::arithmetic::real::vec3;
 use crate::clock::{Clock, set_step};
+use crate::derive::{Material, material_of};
 use crate::error::{SceneError, StepError};
 use crate::executor::Serial;
 use crate::layout::Model;
 use crate::plan::arrays::Quantity;
-use crate::scene::{Dimension, Kind, Place, Scene, kind_of};
+use crate::scene::{Dimension, InitialParticle};
 use crate::solver::Solver;
 use crate::terms::integrate::{MODIFIED_VELOCITY_VERLET, has_history, history_turned, is_beeman};
+use crate::validate::Checked;
 
 impl Solver<'_> {
     /// Evaluates the first accelerations, sorts the particles, and finds the first time step.
@@ -53,17 +55,22 @@ impl Solver<'_> {
     }
 
     /// Writes the particles into the current state.
-    pub(crate) fn fill(&mut self, scene: &Scene, places: impl IntoIterator<Item = Place>) -> Result<(), SceneError> {
+    pub(crate) fn fill(
+        &mut self,
+        scene: &Checked<'_>,
+        particles: impl IntoIterator<Item = InitialParticle>,
+    ) -> Result<(), SceneError> {
         let state = &mut self.memory.states[self.current];
         let needed = state.id.len();
+        let wrong =
+            |given| SceneError::WrongLength { call: "with_particles", what: "particles", given, expected: needed };
         if needed < scene.air_capacity() {
-            let (what, capacity) = ("particles of air (air.capacity) among those", needed);
-            return Err(SceneError::CapacityExceeded { what, needed: scene.air_capacity(), capacity });
+            return Err(SceneError::TooFewParticles { particles: needed, air: scene.air_capacity() });
         }
-        let mut places = places.into_iter();
+        let mut particles = particles.into_iter();
         for slot in 0..needed {
-            let Some(place) = places.next() else {
-                return Err(SceneError::CapacityExceeded { what: "places of particles", needed, capacity: slot });
+            let Some(place) = particles.next() else {
+                return Err(wrong(slot));
             };
             let ([x, y, z], [u, v, w]) = (place.position, place.velocity);
             if scene.dimension == Dimension::Two && (z != 0.0 || w != 0.0) {
@@ -79,27 +86,27 @@ impl Solver<'_> {
                 return Err(SceneError::ParticleNotFinite { particle: slot as u32, quantity });
             }
             let (masses, species) = (self.plan.model.masses == 1, self.plan.model.species == 1);
-            let kind = kind_of(place.species, scene);
+            let material = material_of(place.material, scene);
             let of_coat = scene.air.is_some() && slot >= self.parameters.first_air as usize;
-            let fits = match kind {
-                Some(Kind::Dormant) => of_coat,
-                Some(_) => !of_coat || scene.air.is_some_and(|air| air.fluid == place.species),
+            let fits = match material {
+                Some(Material::Dormant) => of_coat,
+                Some(_) => !of_coat || scene.air.is_some_and(|air| air.fluid == place.material),
                 None => false,
             };
-            if !fits || (place.species > 0 && !species) || (place.mass != 1.0 && !masses) {
+            if !fits || (place.material > 0 && !species) || (place.mass != 1.0 && !masses) {
                 return Err(SceneError::UnplannedParticle { particle: slot as u32 });
             }
             if !(place.mass > 0.0 && place.mass.is_finite()) {
                 return Err(SceneError::NotPositive { field: "mass of a particle", value: place.mass });
             }
             state.position[slot] = [x, y, z, place.mass];
-            state.velocity[slot] = [u, v, w, place.species as f32];
+            state.velocity[slot] = [u, v, w, place.material as f32];
             state.acceleration[slot] = [0.0; 4];
             state.density_pressure[slot] = [place.deviation, place.pressure, 0.0, 0.0];
             if let Some(heat) = state.internal_energy.get_mut(slot) {
-                let energy = match kind {
-                    Some(Kind::Fluid(fluid)) => scene.fluid_of(fluid).thermal_energy,
-                    Some(Kind::Dormant) => self.parameters.air_heat,
+                let energy = match material {
+                    Some(Material::Fluid(fluid)) => scene.fluid_of(fluid).thermal_energy,
+                    Some(Material::Dormant) => self.parameters.air_heat,
                     _ => 0.0,
                 };
                 *heat = [energy, 0.0, 0.0, 0.0];
@@ -109,11 +116,8 @@ impl Solver<'_> {
         }
         state.xsph_velocity.fill([0.0; 4]);
         self.memory.given.spring_ranges.fill([0; 4]);
-        match places.next() {
-            Some(_) => {
-                let needed = needed + 1;
-                Err(SceneError::CapacityExceeded { what: "particles", needed, capacity: needed - 1 })
-            }
+        match particles.next() {
+            Some(_) => Err(wrong(needed + 1)),
             None => Ok(()),
         }
     }

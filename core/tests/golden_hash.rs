@@ -36,7 +36,7 @@ const GOLDEN: &[(&str, &str, u64, u64)] = golden! {
 };
 
 fn run(scene: &Scene, simd: Simd, steps: u32) -> [String; 2] {
-    let mut memory = OwnedMemory::of(scene);
+    let mut memory = OwnedMemory::of(&scene.check().expect("a scene"));
     let mut solver = Solver::new(scene, memory.lend()).expect("a scene").at_level(simd);
     (0..steps).for_each(|_| solver.step(&Serial).expect("a step"));
     [solver.hash(), solver.full_hash()].map(|hash| format!("{hash:#018x}"))

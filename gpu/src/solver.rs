@@ -158,14 +158,14 @@ impl GpuSolver {
     /// # Errors
     /// Fewer or more nodes than the scene says, or a value that is not finite; the field then stays as it was.
     pub fn set_field(&mut self, nodes: &[f32x4]) -> Result<(), GpuError> {
-        let (needed, capacity) = (nodes.len(), self.buffers.counts().field_nodes);
-        if needed != capacity {
-            return Err(SceneError::CapacityExceeded { what: "nodes of the field", needed, capacity }.into());
+        let (given, expected) = (nodes.len(), self.buffers.counts().field_nodes);
+        if given != expected {
+            return Err(SceneError::WrongLength { call: "set_field", what: "nodes", given, expected }.into());
         }
         if let Some(&value) = nodes.as_flattened().iter().find(|x| !x.is_finite()) {
             return Err(SceneError::NotFinite { field: "field", value }.into());
         }
-        if needed > 0 {
+        if expected > 0 {
             let field = self.buffers.array(Array::acceleration_field, Side::Only, 0);
             self.gpu.queue.write_buffer(field, 0, bytemuck::cast_slice(nodes));
         }

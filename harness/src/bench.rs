@@ -121,7 +121,7 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
 
 /// Times one scene.
 fn bench(named: &Named, options: &Options) -> Result<Bench, Failure> {
-    let scene = &named.file.scene;
+    let scene = &named.checked()?;
     let pool = Pool::new(options.common.threads)?;
     let mut heap = OwnedMemory::of(scene);
     let mut solver = start(&named.name, scene, &mut heap)?;

@@ -70,10 +70,11 @@ pub fn census(scene: &Scene, state: &Snapshot) -> Result<Census, Failure> {
     scene.elasticity = Elasticity::default();
     // nor does an integrator remember anything of them
     (scene.model.integrator, scene.model.reevaluate, scene.adaptive) = (Integrator::default(), false, None);
-    let scene = &scene;
+    let refused = |error| Failure::Scene { origin: "census".into(), error };
+    let scene = &scene.check().map_err(refused)?;
     let mut heap = OwnedMemory::with(&Requirements::of(scene).for_particles(count));
     let solver = Solver::with_particles(scene, Plan::of(scene), count, state.places(), heap.lend());
-    let mut solver = solver.map_err(|error| Failure::Scene { origin: "census".into(), error })?;
+    let mut solver = solver.map_err(refused)?;
     let speed = |v: &f32x4| v[..3].iter().map(|x| f64::from(*x) * f64::from(*x)).sum::<f64>().sqrt();
     Ok(Census {
         average_neighbours: solver.average_neighbours(),

@@ -62,8 +62,9 @@ impl Cli {
 fn list_scenes(json: bool) -> Result<bool, Failure> {
     let (mut all, mut words) = (Vec::new(), String::new());
     for (name, _) in BUILT_IN {
-        let file = load(name, &Changes::default())?.file;
-        let (particles, duration_s) = (file.scene.particle_count(), file.duration);
+        let named = load(name, &Changes::default())?;
+        let (file, particles) = (&named.file, named.checked()?.derived().particles());
+        let duration_s = file.duration;
         words += &format!("{name:14} {particles:6} particles, {duration_s} s: {}\n", file.about);
         all.push(serde_json::json!({
             "name": name, "about": file.about, "particles": particles, "duration_s": duration_s

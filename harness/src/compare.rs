@@ -121,14 +121,15 @@ pub fn compare(
     paths: &Paths,
     meddle: &mut dyn FnMut(u64, &mut Snapshot),
 ) -> Result<Comparison, Failure> {
-    let scene = &named.file.scene;
+    let scene = &named.checked()?;
     let (one, many) = (Pool::new(1)?, Pool::new(paths.threads)?);
     let mut heaps = [scene; 4].map(OwnedMemory::of);
     let [first, base_heap, best_heap, many_heap] = &mut heaps;
     let mut reference = start(&named.name, scene, first)?.at_level(Simd::Scalar);
     let other = other_grid(scene, &mut reference);
-    let with_other = other.check().is_ok() && Requirements::of(&other).bytes() <= MOST_BYTES;
-    let mut other_heap = if with_other { OwnedMemory::of(&other) } else { OwnedMemory::default() };
+    let needs = other.check().map(|other| Requirements::of(&other)).ok().filter(|needs| needs.bytes() <= MOST_BYTES);
+    let with_other = needs.is_some();
+    let mut other_heap = needs.as_ref().map(OwnedMemory::with).unwrap_or_default();
     let mut rivals = Vec::new();
     let mut enter = |b: String, promised: bool, path| {
         rivals.push(Rival { path, pair: Pair::new(b, promised), times: Vec::new() });

@@ -1,9 +1,8 @@
 //! The energy of a fluid as a whole, with what is stored in its compression, and the sound that this makes.
-use millpond_core::guided::{particle_mass, speed_of_sound};
+use millpond_core::derive::{FluidConstants, speed_of_sound};
 use millpond_core::hash::tree_sum;
-use millpond_core::kinds::{near_stiffness, state_stiffness};
 use millpond_core::scene::{EquationOfState, Fluid, PressureForce, Scene};
-use millpond_core::{Particle, Solver};
+use millpond_core::{Checked, Particle, Solver};
 
 /// How far the mechanical energy may rise above the least that it has been, as a share of the energy that the scene has to
 /// spend. What is left alone can only lose energy. A second-order step gives and takes about one per cent as sound passes;
@@ -14,11 +13,6 @@ pub(crate) const GROWTH_LIMIT: f64 = 0.05;
 /// times that a fluid is neither water nor near to what its equation was made for.
 pub(crate) const DENSITY_LIMIT: f64 = 0.1;
 
-/// How a fluid's pressure follows from its density.
-fn equation(scene: &Scene, fluid: &Fluid) -> EquationOfState {
-    fluid.equation_of_state.unwrap_or(scene.model.equation_of_state)
-}
-
 /// Fastest sound of a scene, m/s; none where pressure is iterated, and no sound limits the step.
 pub(crate) fn fastest_sound(scene: &Scene) -> Option<f64> {
     let iterated = scene.model.equation_of_state == EquationOfState::PressureCorrection;
@@ -26,12 +20,12 @@ pub(crate) fn fastest_sound(scene: &Scene) -> Option<f64> {
 }
 
 /// Energy stored in a fluid at a deviation e of its density, the integral of `P / rho^2` over the density, J/kg.
-fn stored(scene: &Scene, fluid: &Fluid, deviation: f64) -> f64 {
+fn stored(scene: &Scene, fluid: &Fluid, constants: &FluidConstants, deviation: f64) -> f64 {
     let e = deviation;
-    let by_state = state_stiffness(scene, fluid) / f64::from(fluid.rest_density);
+    let by_state = constants.state_stiffness / f64::from(fluid.rest_density);
     // where there is no suction there is no pressure below the rest density
     let relaxed = e <= 0.0 && !scene.model.suction;
-    let whole = match equation(scene, fluid) {
+    let whole = match constants.equation_of_state {
         EquationOfState::Tait if !relaxed => by_state * (((1.0 + e).powi(6) - 1.0) / 6.0 + 1.0 / (1.0 + e) - 1.0),
         EquationOfState::Desbrun if !relaxed => by_state * (e.ln_1p() + 1.0 / (1.0 + e) - 1.0),
         EquationOfState::IdealGas => by_state * e.ln_1p(),
@@ -45,39 +39,40 @@ fn stored(scene: &Scene, fluid: &Fluid, deviation: f64) -> f64 {
 
 /// Mechanical energy of the fluid, J (per metre of depth in 2D): of motion, in gravity, in springs, in its compression. Of
 /// surfaces and of near pressure it has no account.
-pub(crate) fn total(scene: &Scene, solver: &Solver<'_>) -> f64 {
+pub(crate) fn total(scene: &Checked<'_>, solver: &Solver<'_>) -> f64 {
     let energies = solver.energies();
-    let compressed = sum(scene, solver, |fluid, particle| {
-        stored(scene, fluid, f64::from(particle.density) / f64::from(fluid.rest_density) - 1.0)
+    let compressed = sum(scene, solver, |fluid, constants, particle| {
+        stored(scene, fluid, constants, f64::from(particle.density) / f64::from(fluid.rest_density) - 1.0)
     });
     energies.kinetic + energies.potential + energies.elastic + compressed
 }
 
 /// Energy that a scene at its start has to spend, J: its motion, the fall of its weight by its own height, and what near
 /// pressure may hold, which nobody counts. Where there is none of these, what would compress it as far as is allowed.
-pub(crate) fn scale(scene: &Scene, solver: &Solver<'_>) -> f64 {
+pub(crate) fn scale(scene: &Checked<'_>, solver: &Solver<'_>) -> f64 {
     let gravity = scene.gravity.map(f64::from);
     let heights = || {
         let fluid = solver.particles().filter(|particle| !particle.wall && !particle.dormant);
         fluid.map(|p| -> f64 { p.position.to_array().iter().zip(gravity).map(|(x, g)| -g * f64::from(*x)).sum() })
     };
     let (low, high) = (heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max));
-    let spent =
-        solver.energies().kinetic + sum(scene, solver, |fluid, _| (high - low).max(0.0) + near_stiffness(scene, fluid));
+    let spent = solver.energies().kinetic
+        + sum(scene, solver, |_, constants, _| (high - low).max(0.0) + constants.near_stiffness);
     // c^2 e^2 / 2 of each kilogram
-    let compressed = |fluid: &Fluid, _: &Particle| 0.5 * (DENSITY_LIMIT * speed_of_sound(scene, fluid)).powi(2);
+    let compressed =
+        |_: &Fluid, constants: &FluidConstants, _: &Particle| 0.5 * (DENSITY_LIMIT * constants.speed_of_sound).powi(2);
     if spent > 0.0 { spent } else { sum(scene, solver, compressed) }
 }
 
 /// Sum over the fluid of its particles' masses times `energy`, J/kg.
-fn sum(scene: &Scene, solver: &Solver<'_>, energy: impl Fn(&Fluid, &Particle) -> f64) -> f64 {
+fn sum(scene: &Checked<'_>, solver: &Solver<'_>, energy: impl Fn(&Fluid, &FluidConstants, &Particle) -> f64) -> f64 {
     let fluid: Vec<Particle> = solver.particles().filter(|particle| !particle.wall && !particle.dormant).collect();
-    let volume = particle_mass(scene) / f64::from(scene.fluid.rest_density);
+    let volume = scene.derived().particle_mass / f64::from(scene.fluid.rest_density);
     let (slots, state) = (solver.slots(), solver.state());
     let of = |i: usize| {
         let own = scene.fluid_of(fluid[i].fluid);
         let share = f64::from(state.position[slots[fluid[i].id as usize] as usize][3]);
-        volume * f64::from(own.rest_density) * share * energy(own, &fluid[i])
+        volume * f64::from(own.rest_density) * share * energy(own, scene.derived().fluid(fluid[i].fluid), &fluid[i])
     };
     tree_sum(fluid.len(), &of)
 }
@@ -111,8 +106,12 @@ mod tests {
         let mut scene = scene("still-tank");
         for equation in [EquationOfState::Tait, EquationOfState::Desbrun, EquationOfState::IdealGas] {
             scene.model.equation_of_state = equation;
+            // a gas has no weight to start with
+            scene.model.hydrostatic_start = false;
+            let checked = scene.check().expect("a scene");
+            let constants = checked.derived().fluid(0);
             let pressure = |e: f64| {
-                let by_state = state_stiffness(&scene, &scene.fluid) / f64::from(scene.fluid.rest_density);
+                let by_state = constants.state_stiffness / f64::from(scene.fluid.rest_density);
                 match equation {
                     EquationOfState::Tait => by_state * ((1.0 + e).powi(7) - 1.0),
                     EquationOfState::Desbrun => by_state * e,
@@ -121,8 +120,8 @@ mod tests {
             };
             // d u / d e = P / (rho0 (1 + e)^2)
             let (e, step) = (0.05, 1e-5);
-            let slope =
-                (stored(&scene, &scene.fluid, e + step) - stored(&scene, &scene.fluid, e - step)) / (2.0 * step);
+            let at = |e: f64| stored(&scene, &scene.fluid, constants, e);
+            let slope = (at(e + step) - at(e - step)) / (2.0 * step);
             let exact = pressure(e) / (1.0 + e).powi(2);
             assert!((slope / exact - 1.0).abs() < 1e-6, "{equation:?}: {slope} against {exact}");
         }

@@ -139,7 +139,7 @@ pub fn study(base: &Named, ladder: &Ladder, pool: &Pool, folder: Option<&Path>) 
                 ("particle_spacing", spacing.to_string()),
                 ("courant_number", courant.to_string()),
             ]),
-            particles: scene.particle_count(),
+            particles: scene.check().map_or(0, |scene| scene.derived().particles()),
             dt: f64::from(scene.time_step),
             wall_s: 0.0,
             error: None,
@@ -169,7 +169,8 @@ pub fn study(base: &Named, ladder: &Ladder, pool: &Pool, folder: Option<&Path>) 
 
 /// Error of the mean profile, and wall time per simulated second.
 fn measure(base: &Named, scene: &Scene, pool: &Pool, seconds: f64) -> Result<(f64, f64), Failure> {
-    let mut heap = OwnedMemory::of(scene);
+    let checked = scene.check().map_err(|error| Failure::Scene { origin: base.name.clone(), error })?;
+    let mut heap = OwnedMemory::of(&checked);
     let mut solver = crate::fluid::start(&base.name, scene, &mut heap)?;
     let steps = (seconds / f64::from(scene.time_step)).round() as u64;
     let settled = steps / 2;

@@ -5,8 +5,9 @@ use crate::scenes::{Camera, Named, SceneFile, Shade};
 use crate::snapshot::Snapshot;
 use crate::span::Span;
 use glam::Vec3;
+use millpond_core::derive::{Material, material_of};
 use millpond_core::layout::f32x4;
-use millpond_core::scene::{Dimension, Fluid, Kind, Scene, WallShape, kind_of};
+use millpond_core::scene::{Dimension, Fluid, Scene, WallShape};
 use std::path::{Path, PathBuf};
 
 /// Size of a picture, pixels.
@@ -138,17 +139,17 @@ impl Cast {
         let scene = &file.scene;
         let mut cast = Cast::default();
         for ((x, v), d) in state.position().iter().zip(state.velocity()).zip(state.density_pressure()) {
-            let [vx, vy, vz, kind] = *v;
-            match kind_of(kind as u32, scene) {
-                Some(Kind::Fluid(fluid)) => cast.beads.push(Bead {
+            let [vx, vy, vz, material] = *v;
+            match material_of(material as u32, scene) {
+                Some(Material::Fluid(fluid)) => cast.beads.push(Bead {
                     position: *x,
                     speed: Vec3::new(vx, vy, vz).length(),
                     density: (d[0] + 1.0) * scene.fluid_of(fluid).rest_density,
                     fluid,
                 }),
-                Some(Kind::Wall(wall)) if is_in_sight(file, wall, x[1]) => cast.walls.push(*x),
-                Some(Kind::Wall(_)) => {}
-                Some(Kind::Dormant) | None => continue,
+                Some(Material::Wall(wall)) if is_in_sight(file, wall, x[1]) => cast.walls.push(*x),
+                Some(Material::Wall(_)) => {}
+                Some(Material::Dormant) | None => continue,
             }
             cast.present += 1;
         }

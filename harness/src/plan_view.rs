@@ -7,10 +7,10 @@ use crate::scenes::{Named, load};
 use crate::timing::{Milliseconds, timed};
 use millpond_core::OwnedMemory;
 use millpond_core::layout::Model;
-use millpond_core::scene::{Scene, places};
+use millpond_core::scene::Scene;
 use millpond_core::terms::state::PRESSURE_CORRECTION;
 use millpond_core::terms::table::TABLE;
-use millpond_core::{Array, Plan, Requirements, Solver};
+use millpond_core::{Array, Checked, Plan, Requirements, Solver};
 use serde::Serialize;
 
 /// Options of `plan`.
@@ -108,7 +108,7 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
 /// # Errors
 /// A scene that cannot run.
 pub fn view(named: &Named, pool: &Pool, steps: u32) -> Result<PlanView, Failure> {
-    let scene = &named.file.scene;
+    let scene = &named.checked()?;
     let plan = Plan::of(scene);
     let requirements = Requirements::of(scene);
     let used = requirements.bytes();
@@ -135,7 +135,7 @@ fn arrays(requirements: &Requirements) -> Vec<ArrayView> {
 }
 
 /// Memory that something left out would take.
-fn bytes_saved(scene: &Scene, requirements: &Requirements, what: &str) -> usize {
+fn bytes_saved(scene: &Checked<'_>, requirements: &Requirements, what: &str) -> usize {
     let mut model = *requirements.model();
     if let Some((_, include)) = OPTIONAL.iter().find(|(name, _)| *name == what) {
         include(&mut model);
@@ -159,19 +159,27 @@ const OPTIONAL: &[(&str, Include)] = &[
 ];
 
 /// The same requirements by another model of the scene.
-fn with(scene: &Scene, requirements: &Requirements, model: Model) -> Requirements {
+fn with(scene: &Checked<'_>, requirements: &Requirements, model: Model) -> Requirements {
     let mut counts = requirements.counts;
     if model.springs == 1 && counts.spring_ends == 0 {
-        // as many as its blocks would have, were all of them elastic
-        let mut elastic = scene.clone();
-        std::iter::once(&mut elastic.fluid).chain(&mut elastic.other_fluids).for_each(|f| f.elastic_stiffness = 1.0);
-        counts.spring_ends = elastic.spring_ends();
+        counts.spring_ends = ends_if_elastic(scene);
     }
     Requirements::by_model(model, counts)
 }
 
+/// Ends of springs of a scene, as many as its blocks would have, were all of its fluids elastic; none where they cannot be.
+fn ends_if_elastic(scene: &Scene) -> usize {
+    let mut elastic = scene.clone();
+    let air = scene.air.map(|air| air.fluid);
+    let fluids = std::iter::once(&mut elastic.fluid).chain(&mut elastic.other_fluids);
+    for (_, fluid) in (0..).zip(fluids).filter(|(number, _)| Some(*number) != air) {
+        fluid.elastic_stiffness = 1.0;
+    }
+    elastic.check().map_or(0, |elastic| elastic.derived().spring_ends)
+}
+
 /// Memory of a scene with all that this version can leave out.
-fn everything(scene: &Scene, requirements: &Requirements) -> usize {
+fn everything(scene: &Checked<'_>, requirements: &Requirements) -> usize {
     let mut model = Plan::everything(scene).model;
     OPTIONAL.iter().for_each(|(_, include)| include(&mut model));
     with(scene, requirements, model).bytes()
@@ -179,13 +187,14 @@ fn everything(scene: &Scene, requirements: &Requirements) -> usize {
 
 /// Times the two plans in turn, so that both meet the same mood of the machine.
 fn time(named: &Named, pool: &Pool, steps: u32) -> Result<[Milliseconds; 2], Failure> {
-    let scene = &named.file.scene;
+    let scene = &named.checked()?;
     let plans = [Plan::of(scene), Plan::everything(scene)];
     let mut heaps = plans.map(|plan| OwnedMemory::with(&Requirements::by_plan(scene, &plan)));
     let mut times = [Vec::new(), Vec::new()];
     let mut solvers = Vec::new();
     for (heap, plan) in heaps.iter_mut().zip(plans) {
-        let solver = Solver::with_particles(scene, plan, scene.particle_count(), places(scene), heap.lend());
+        let count = scene.derived().particles();
+        let solver = Solver::with_particles(scene, plan, count, scene.initial_particles(), heap.lend());
         solvers.push(solver.map_err(|error| Failure::Scene { origin: named.name.clone(), error })?);
     }
     for _ in 0..steps {

@@ -12,10 +12,10 @@ use crate::span::Span;
 use crate::timing::{Milliseconds, timed};
 use crate::warnings::{gained, warnings};
 use millpond_core::OwnedMemory;
-use millpond_core::guided::particle_mass;
+use millpond_core::derive::{Material, material_of};
 use millpond_core::layout::f32x4;
-use millpond_core::scene::{EquationOfState, Kind, Scene, kind_of};
-use millpond_core::{AirReport, CorrectionReport, TimeReport};
+use millpond_core::scene::EquationOfState;
+use millpond_core::{AirReport, Checked, CorrectionReport, TimeReport};
 use std::path::Path;
 
 mod report;
@@ -66,7 +66,7 @@ pub fn run(
     span: Span,
     pictures: Option<(&Path, u64)>,
 ) -> Result<Outcome, Failure> {
-    let scene = &named.file.scene;
+    let scene = &named.checked()?;
     let mut heap = OwnedMemory::of(scene);
     let mut fluid = Fluid::start(named, backend, &mut heap, pool)?;
     let first = fluid.snapshot()?;
@@ -131,7 +131,7 @@ pub fn run(
         scene: named.name.clone(),
         backend: fluid.backend(),
         particles: last.position().len(),
-        wall_particles: scene.wall_count(),
+        wall_particles: scene.derived().wall_particles,
         steps: done,
         simulated_s: clock.time,
         wall_s,
@@ -175,10 +175,10 @@ fn held(clock: &TimeReport) -> Option<String> {
 }
 
 /// Thermal energy of a state, J.
-fn thermal_energy(scene: &Scene, state: &Snapshot) -> f64 {
-    let mass = particle_mass(scene) / f64::from(scene.fluid.rest_density);
-    let density = |v: &f32x4| match kind_of(v[3] as u32, scene) {
-        Some(Kind::Fluid(fluid)) => f64::from(scene.fluid_of(fluid).rest_density),
+fn thermal_energy(scene: &Checked<'_>, state: &Snapshot) -> f64 {
+    let mass = scene.derived().particle_mass / f64::from(scene.fluid.rest_density);
+    let density = |v: &f32x4| match material_of(v[3] as u32, scene) {
+        Some(Material::Fluid(fluid)) => f64::from(scene.fluid_of(fluid).rest_density),
         _ => 0.0,
     };
     let fluid = state.internal_energy().iter().zip(state.position()).zip(state.velocity());

@@ -1,7 +1,7 @@
 //! Scene files: RON text with unknown fields refused, a few of them built in, every field open to `--set`.
 use crate::failure::Failure;
 use millpond_core::scene::{Container, Periodic, Scene, WallShape};
-use millpond_core::{Requirements, SceneError};
+use millpond_core::{Checked, Requirements, SceneError};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::path::Path;
@@ -56,6 +56,16 @@ pub struct Named {
     pub name: String,
     /// What it says.
     pub file: SceneFile,
+}
+
+impl Named {
+    /// The scene with all that follows from it.
+    ///
+    /// # Errors
+    /// A scene that cannot run, which [`load`] would not have loaded.
+    pub fn checked(&self) -> Result<Checked<'_>, Failure> {
+        self.file.scene.check().map_err(|error| Failure::Scene { origin: self.name.clone(), error })
+    }
 }
 
 macro_rules! built_in {
@@ -116,12 +126,11 @@ pub fn load(name: &str, changes: &Changes) -> Result<Named, Failure> {
         file = set(&file, change)?;
     }
     let refuse = |error| refusal(&text, &origin, changes, error);
-    file.scene.check().map_err(refuse)?;
+    let now = file.scene.check().map_err(refuse)?.derived().fluid_particles;
     if let Some(particles) = changes.particles {
-        scale(&mut file.scene, particles)?;
-        file.scene.check().map_err(refuse)?;
+        scale(&mut file.scene, now, particles)?;
     }
-    let bytes = Requirements::of(&file.scene).bytes();
+    let bytes = Requirements::of(&file.scene.check().map_err(refuse)?).bytes();
     if bytes > MOST_BYTES {
         return Err(Failure::Call(format!("the scene needs {bytes} bytes, and at most {MOST_BYTES} are given to one")));
     }
@@ -206,9 +215,8 @@ fn collect_paths(tree: &Value, prefix: &str, out: &mut Vec<String>) {
     }
 }
 
-/// Makes every length of a scene larger at the same spacing, so that it has about `particles` particles.
-fn scale(scene: &mut Scene, particles: u64) -> Result<(), Failure> {
-    let now = scene.fluid_count();
+/// Makes every length of a scene of `now` particles larger at the same spacing, so that it has about `particles`.
+fn scale(scene: &mut Scene, now: usize, particles: u64) -> Result<(), Failure> {
     if now == 0 || particles == 0 {
         return Err(Failure::Call(format!("--particles {particles}: cannot scale a scene of {now} particles")));
     }

@@ -3,7 +3,7 @@ use crate::failure::Failure;
 use millpond_core::hash::state_hash;
 use millpond_core::layout::{f32x4, u32x2};
 use millpond_core::plan::arrays::{Class, Unit};
-use millpond_core::scene::Place;
+use millpond_core::scene::InitialParticle;
 use millpond_core::{Array, Solver, TimeReport};
 use millpond_gpu::GpuSolver;
 
@@ -111,13 +111,13 @@ impl Snapshot {
     }
 
     /// Where particles would be to go on from here.
-    pub fn places(&self) -> impl Iterator<Item = Place> {
+    pub fn places(&self) -> impl Iterator<Item = InitialParticle> {
         let vector = |[x, y, z, _]: f32x4| [x, y, z];
         let all = self.position().iter().zip(self.velocity()).zip(self.density_pressure());
-        all.map(move |((x, v), d)| Place {
+        all.map(move |((x, v), d)| InitialParticle {
             position: vector(*x),
             velocity: vector(*v),
-            species: v[3] as u32,
+            material: v[3] as u32,
             mass: x[3],
             deviation: d[0],
             pressure: d[1],

@@ -1,11 +1,12 @@
 //! What a user should know of a scene that ran: choices that are known to end badly, and limits of the time step.
 use crate::census::Census;
 use crate::energy::{GROWTH_LIMIT, driven_by};
-use millpond_core::guided::{average_neighbours, support_radius};
-use millpond_core::kernel::slope;
-use millpond_core::kinds::spring_pull;
+use millpond_core::Checked;
+use millpond_core::derive::kernel_constants::slope;
+use millpond_core::derive::{FluidConstants, average_neighbours, support_radius};
 use millpond_core::report::Courant;
-use millpond_core::scene::{Dimension, Fluid, Kernel, MOST_SPACINGS_AWAY, NearPressure, Scene, SurfaceTension};
+use millpond_core::scene::{Dimension, Fluid, Kernel, NearPressure, Scene, SurfaceTension};
+use millpond_core::validate::MOST_SPACINGS_AWAY;
 use std::f64::consts::PI;
 
 /// Largest share of its support that sound and the fastest particle together may cross in a step: past it explicit
@@ -27,14 +28,14 @@ const COMPRESSION_LIMIT: f64 = 0.03;
 
 /// All that there is to say of a state, and of a run in which so many births of air found no particle.
 #[must_use]
-pub fn warnings(scene: &Scene, state: &Census, births_refused: u64) -> Vec<String> {
+pub fn warnings(scene: &Checked<'_>, state: &Census, births_refused: u64) -> Vec<String> {
     let time_step = state.time_step;
     let mut warnings = Vec::new();
     warnings.extend(courant(state.courant));
     warnings.extend(diffusion(state.courant));
     warnings.extend(resolution(scene, state.farthest));
     warnings.extend(scene.fluids().find_map(|fluid| capillary(scene, fluid, time_step)));
-    warnings.extend(scene.fluids().find_map(|fluid| springs(scene, fluid, time_step)));
+    warnings.extend(scene.derived().fluids.iter().find_map(|fluid| springs(scene, fluid, time_step)));
     if scene.model.near_pressure != NearPressure::Off && !scene.model.suction {
         warnings
             .push("near pressure without suction has nothing to balance it: this liquid will expand like a gas".into());
@@ -116,10 +117,10 @@ fn capillary(scene: &Scene, fluid: &Fluid, time_step: f64) -> Option<String> {
 }
 
 /// Does a step last longer than a particle on all of its springs allows?
-fn springs(scene: &Scene, fluid: &Fluid, time_step: f64) -> Option<String> {
+fn springs(scene: &Checked<'_>, fluid: &FluidConstants, time_step: f64) -> Option<String> {
     // each of them pulls with half of its stiffness, and those along a direction are a share of all
-    let ends = scene.springs_of_particle() as f64 / scene.dimension.count() as f64;
-    let omega = (spring_pull(scene, fluid) * ends).sqrt();
+    let ends = scene.derived().springs_of_particle as f64 / scene.dimension.count() as f64;
+    let omega = (fluid.spring_pull * ends).sqrt();
     (omega * time_step > SPRING_LIMIT)
         .then(|| format!("springs need a time_step of at most {:.1e} s", SPRING_LIMIT / omega))
 }

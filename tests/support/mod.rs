@@ -4,8 +4,8 @@ use std::io::Write as _;
 
 use millpond::scenes::{Changes, Named, load};
 use millpond_core::OwnedMemory;
-use millpond_core::scene::{Place, Scene};
-use millpond_core::{Plan, Requirements, Solver};
+use millpond_core::scene::{InitialParticle, Scene};
+use millpond_core::{Checked, Plan, Requirements, Solver};
 use millpond_gpu::{Gpu, Mode};
 
 /// A built-in scene, changed.
@@ -19,15 +19,21 @@ pub fn scaled(name: &str, particles: u64) -> Named {
     load(name, &Changes { set: Vec::new(), particles: Some(particles) }).expect("a built-in scene")
 }
 
+/// A scene with all that follows from it.
+pub fn checked(scene: &Scene) -> Checked<'_> {
+    scene.check().expect("a scene")
+}
+
 /// Memory for `count` particles in the cells of `scene`.
 pub fn heap_for(scene: &Scene, count: usize) -> OwnedMemory {
-    OwnedMemory::with(&Requirements::of(scene).for_particles(count))
+    OwnedMemory::with(&Requirements::of(&checked(scene)).for_particles(count))
 }
 
 /// A solver of particles at rest at these places.
 pub fn at_rest<'a>(scene: &Scene, positions: &[[f32; 3]], heap: &'a mut OwnedMemory) -> Solver<'a> {
-    let places = positions.iter().map(|&position| Place::at(position, [0.0; 3]));
-    Solver::with_particles(scene, Plan::of(scene), positions.len(), places, heap.lend()).expect("a scene")
+    let places = positions.iter().map(|&position| InitialParticle::at(position, [0.0; 3]));
+    let scene = checked(scene);
+    Solver::with_particles(&scene, Plan::of(&scene), positions.len(), places, heap.lend()).expect("a scene")
 }
 
 /// Random numbers that are always the same ones (splitmix64).

@@ -4,7 +4,7 @@ use super::{Kinds, Planes, f32x4, shared, u32x4};
 /// Penalty walls that a scene can have.
 pub const PLANES: usize = 6;
 
-/// Kinds of particle that a scene can have: [`Kind`](crate::scene::Kind) says which.
+/// Materials that the particles of a scene can have: [`Material`](crate::derive::Material) says which.
 pub const SPECIES: usize = 33;
 
 shared! {

@@ -1,7 +1,7 @@
 //! Memory for a scene of any size, from the heap.
 use super::lend::Memory;
 use super::requirements::Requirements;
-use crate::scene::Scene;
+use crate::validate::Checked;
 use alloc::vec::Vec;
 
 /// A cache line.
@@ -18,7 +18,7 @@ struct Line([u8; 64]);
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let block = Block { size: [0.5; 3], ..Block::default() };
 /// let scene = Scene::of(Dimension::Three, 0.05, 0.001, Fluid::default(), block);
-/// let mut memory = OwnedMemory::of(&scene);
+/// let mut memory = OwnedMemory::of(&scene.check()?);
 /// let solver = Solver::new(&scene, memory.lend())?;
 /// assert_eq!(solver.particles().len(), 1000);
 /// # Ok(())
@@ -28,9 +28,9 @@ struct Line([u8; 64]);
 pub struct OwnedMemory(Vec<Line>);
 
 impl OwnedMemory {
-    /// For a scene that [`Scene::check`] accepts.
+    /// For a scene.
     #[must_use]
-    pub fn of(scene: &Scene) -> OwnedMemory {
+    pub fn of(scene: &Checked<'_>) -> OwnedMemory {
         OwnedMemory::with(&Requirements::of(scene))
     }
 

@@ -3,7 +3,7 @@ use super::lend::LINE_WORDS;
 use crate::layout::{Model, TABLE_WORDS};
 use crate::plan::Plan;
 use crate::plan::arrays::{Array, Unit};
-use crate::scene::Scene;
+use crate::validate::Checked;
 
 /// Entries of the neighbour lists for each particle. A block whose list is full walks its cells again; 25 was the largest mean seen in
 /// moving fluid of 27 to 32 neighbours.
@@ -34,23 +34,23 @@ pub struct Requirements {
 }
 
 impl Requirements {
-    /// Of a scene that [`Scene::check`] accepts.
+    /// Of a scene, by its own plan.
     #[must_use]
-    pub fn of(scene: &Scene) -> Requirements {
+    pub fn of(scene: &Checked<'_>) -> Requirements {
         Requirements::by_plan(scene, &Plan::of(scene))
     }
 
     /// Of a scene by this plan of it.
     #[must_use]
-    pub fn by_plan(scene: &Scene, plan: &Plan) -> Requirements {
-        let model = plan.model;
-        let cells = scene.cells().iter().map(|&n| n as usize).product::<usize>() + model.air as usize;
+    pub fn by_plan(scene: &Checked<'_>, plan: &Plan) -> Requirements {
+        let (model, derived) = (plan.model, scene.derived());
+        let cells = derived.cells.iter().map(|&n| n as usize).product::<usize>() + model.air as usize;
         let counts = Counts {
-            particles: scene.particle_count(),
+            particles: derived.particles(),
             cells,
-            spring_ends: if model.springs == 1 { scene.spring_ends() } else { 0 },
-            air: scene.air_capacity(),
-            field_nodes: scene.field_counts()[3] as usize,
+            spring_ends: if model.springs == 1 { derived.spring_ends } else { 0 },
+            air: derived.air_particles,
+            field_nodes: derived.field_counts[3] as usize,
         };
         Requirements { model, counts }
     }

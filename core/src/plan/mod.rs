@@ -13,10 +13,11 @@ pub use explain::{LeftOut, Terms};
 
 use crate::layout::Model;
 use crate::scene::{
-    DensityForm, Dimension, Evaluation, Fluid, GridStructure, ModelChoice, NearPressure, Reflection, Scene,
-    SurfaceTension, Viscosity,
+    DensityForm, Dimension, Evaluation, Fluid, GridStructure, ModelChoice, NearPressure, Reflection, SurfaceTension,
+    Viscosity,
 };
 use crate::terms::{near, tension, viscosity, wall};
+use crate::validate::Checked;
 use passes::Pass;
 use schedule::{Schedule, schedule};
 
@@ -32,7 +33,7 @@ pub struct Plan {
 impl Plan {
     /// The plan of a scene: nothing that it does not need.
     #[must_use]
-    pub fn of(scene: &Scene) -> Plan {
+    pub fn of(scene: &Checked<'_>) -> Plan {
         let everything = Plan::everything(scene);
         let (fluid, choice) = (&scene.fluid, &scene.model);
         let shears = choice.viscosity == Viscosity::Exchange && fluid.velocity_exchange != 0.0;
@@ -77,7 +78,7 @@ impl Plan {
 
     /// The same scene with every term that can be left out left in, at coefficient 0.
     #[must_use]
-    pub fn everything(scene: &Scene) -> Plan {
+    pub fn everything(scene: &Checked<'_>) -> Plan {
         let choice = scene.model;
         let near = if choice.near_pressure == NearPressure::Off { NearPressure::Thesis } else { choice.near_pressure };
         let tensionless = choice.surface_tension == SurfaceTension::Off;

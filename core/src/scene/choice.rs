@@ -274,6 +274,9 @@ pub enum Reflection {
     EnergyConserving = 1,
 }
 
+/// Faces of a box.
+pub const FACES: usize = 6;
+
 /// A face of a box, named as seen from inside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -294,7 +297,7 @@ pub enum Face {
 
 impl Face {
     /// All of them, low and high along x, y, z.
-    pub const ALL: [Face; 6] = [Face::Left, Face::Right, Face::Floor, Face::Ceiling, Face::Back, Face::Front];
+    pub const ALL: [Face; FACES] = [Face::Left, Face::Right, Face::Floor, Face::Ceiling, Face::Back, Face::Front];
 
     /// 0, 1, 2 for x, y, z.
     #[must_use]

@@ -1,31 +1,24 @@
 //! What a scene is: a fluid, where it starts, what holds it and drives it, and which formulas move it.
 //!
-//! A scene is plain data in SI units; [`Scene::check`] refuses what cannot run before anything is touched.
+//! A scene is plain data in SI units: everything here is what somebody asked for, and nothing is computed from it. What follows
+//! from it is in [`derive`](crate::derive), and what cannot run is refused by [`validate`](crate::validate).
 mod air;
-mod check;
 mod choice;
-mod combinations;
 mod elasticity;
 mod fluid;
-mod kind;
-mod lattice;
+mod initial;
 mod model;
 mod surroundings;
 mod time;
-mod walls;
 
 pub use air::Air;
-pub use check::MOST_SPACINGS_AWAY;
-pub(crate) use check::check_count;
 pub use choice::{
-    DensityForm, Dimension, EquationOfState, Evaluation, Face, GridStructure, Integrator, Iteration, Kernel,
+    DensityForm, Dimension, EquationOfState, Evaluation, FACES, Face, GridStructure, Integrator, Iteration, Kernel,
     NearPressure, PressureForce, Reflection, SurfaceTension, Viscosity, WallPressure,
 };
 pub use elasticity::{Elasticity, Plasticity};
 pub use fluid::{Block, FLUIDS, Fluid};
-pub(crate) use kind::{DORMANT, FIRST_BLOCK, FIRST_WALL};
-pub use kind::{Kind, kind_of};
-pub use lattice::{Place, places};
+pub use initial::InitialParticle;
 pub use model::{Correction, ModelChoice, SupportRange};
 pub use surroundings::{Container, FieldLattice, Grid, Periodic, WALLS, Wall, WallShape, Wind};
 pub use time::Adaptive;
@@ -162,52 +155,21 @@ impl Scene {
             && !self.periodic_axes().any(|round| round == axis)
     }
 
-    /// Cells along x, y, z: those of `grid`, along a periodic axis as many as fit, and in 2D one along z.
-    #[must_use]
-    pub fn cells(&self) -> [u32; 3] {
-        let mut cells = self.grid.cells;
-        for axis in self.periodic_axes() {
-            if let Some(periodic) = &self.periodic {
-                let length = f64::from(periodic.high[axis]) - f64::from(periodic.low[axis]);
-                cells[axis] = crate::guided::periodic_cells(self, length);
-            }
-        }
-        if self.dimension == Dimension::Two {
-            cells[2] = 1;
-        }
-        cells
-    }
-
-    /// Nodes of the host's field along x, y, z, and in all.
-    #[must_use]
-    pub fn field_counts(&self) -> [u32; 4] {
-        let Some(FieldLattice { counts: [x, y, z], .. }) = self.field else { return [0; 4] };
-        let z = if self.dimension == Dimension::Two { 1 } else { z };
-        [x, y, z, x.saturating_mul(y).saturating_mul(z)]
-    }
-
-    /// Particles of the fluid of a scene that [`Scene::check`] accepts: their ids come first.
-    #[must_use]
-    pub fn fluid_count(&self) -> usize {
-        let count = |block| lattice::counts(block, self).iter().product::<u64>();
-        self.blocks.iter().map(count).sum::<u64>() as usize
-    }
-
-    /// Particles of the walls of a scene that [`Scene::check`] accepts: their ids come next.
-    #[must_use]
-    pub fn wall_count(&self) -> usize {
-        self.walls.iter().map(|wall| walls::wall_count(wall, self)).sum::<u64>() as usize
-    }
-
     /// Particles that the coat of air can have: their ids come last.
     #[must_use]
     pub fn air_capacity(&self) -> usize {
         self.air.map_or(0, |air| air.capacity as usize)
     }
 
-    /// Particles of a scene that [`Scene::check`] accepts, those of walls too, and air that is not there yet.
+    /// How the pressure of one of its fluids follows from density.
     #[must_use]
-    pub fn particle_count(&self) -> usize {
-        self.fluid_count() + self.wall_count() + self.air_capacity()
+    pub fn equation_of(&self, fluid: &Fluid) -> EquationOfState {
+        fluid.equation_of_state.unwrap_or(self.model.equation_of_state)
+    }
+
+    /// The longest step that there can be, s.
+    #[must_use]
+    pub fn longest_step(&self) -> f32 {
+        self.adaptive.map_or(self.time_step, |adaptive| adaptive.largest)
     }
 }

@@ -1,6 +1,5 @@
 //! What holds a fluid and drives it from outside, and the cells that cover it.
-use super::choice::{Face, GridStructure, Reflection};
-use crate::layout::PLANES;
+use super::choice::{FACES, Face, GridStructure, Reflection};
 use heapless::Vec;
 
 /// Walls of particles that a scene can have.
@@ -25,7 +24,7 @@ pub struct Container {
     pub reflection: Reflection,
     /// Faces that are not there, such as a lid (S0's direction control; default none missing).
     #[cfg_attr(feature = "serde", serde(default))]
-    pub open: Vec<Face, PLANES>,
+    pub open: Vec<Face, FACES>,
 }
 
 #[cfg(feature = "serde")]
@@ -89,7 +88,7 @@ pub enum WallShape {
         high: [f32; 3],
         /// Faces that are not there (default none missing).
         #[cfg_attr(feature = "serde", serde(default))]
-        open: Vec<Face, PLANES>,
+        open: Vec<Face, FACES>,
     },
 }
 

@@ -1,8 +1,5 @@
 //! How time is stepped: what an integrator is good for, and how a time step follows from the state.
-use super::check::{finite, positive};
-use super::combinations::not_together;
-use super::{EquationOfState, Integrator, ModelChoice, Scene, Viscosity};
-use crate::error::SceneError;
+use super::choice::Integrator;
 
 impl Integrator {
     /// Order of its global error where forces do not depend on velocity; where they do, and a density that is stepped makes
@@ -25,7 +22,7 @@ impl Integrator {
         }
     }
 
-    /// The same with forces evaluated again ([`ModelChoice::reevaluate`]).
+    /// The same with forces evaluated again ([`ModelChoice::reevaluate`](super::ModelChoice::reevaluate)).
     #[must_use]
     pub fn damped_order_twice(self) -> u32 {
         match self {
@@ -47,14 +44,6 @@ impl Integrator {
     pub fn allows_changing_steps(self) -> bool {
         use Integrator::*;
         matches!(self, Euler | SemiImplicitEuler | VelocityVerlet | ModifiedVelocityVerlet | Leapfrog | Clavet)
-    }
-}
-
-impl ModelChoice {
-    /// Evaluations of forces in a step: one with every integrator, and one more where that is asked for.
-    #[must_use]
-    pub fn evaluations(&self) -> u32 {
-        1 + u32::from(self.reevaluate)
     }
 }
 
@@ -115,130 +104,5 @@ impl Default for Adaptive {
             growth: 1.1,
             redo_above: None,
         }
-    }
-}
-
-impl Scene {
-    pub(super) fn check_time(&self) -> Result<(), SceneError> {
-        if let Some(courant) = self.stiffness_for_time_step {
-            positive("stiffness_for_time_step", courant)?;
-        }
-        let Some(adaptive) = &self.adaptive else { return Ok(()) };
-        let criteria = [
-            ("adaptive.speed", adaptive.speed),
-            ("adaptive.acceleration", adaptive.acceleration),
-            ("adaptive.sound", adaptive.sound),
-            ("adaptive.viscosity", adaptive.viscosity),
-        ];
-        for (field, courant) in criteria {
-            courant.map_or(Ok(()), |courant| positive(field, courant))?;
-        }
-        positive("adaptive.smallest", adaptive.smallest)?;
-        finite("adaptive.smallest", &[1.0 / adaptive.smallest])?;
-        let bounds = [
-            ("adaptive.largest", adaptive.largest, adaptive.smallest, f32::MAX),
-            ("adaptive.growth", adaptive.growth, 1.0, f32::MAX),
-            ("adaptive.redo_above", adaptive.redo_above.unwrap_or(1.0), 1.0, f32::MAX),
-            ("time_step", self.time_step, adaptive.smallest, adaptive.largest),
-        ];
-        for (field, value, least, most) in bounds {
-            if !(least..=most).contains(&value) {
-                return Err(SceneError::OutOfBounds { field, value, least, most });
-            }
-        }
-        Ok(())
-    }
-
-    /// The longest step that there can be, s.
-    pub(super) fn longest_step(&self) -> f32 {
-        self.adaptive.map_or(self.time_step, |adaptive| adaptive.largest)
-    }
-
-    pub(super) fn check_integrator(&self) -> Result<(), SceneError> {
-        let model = &self.model;
-        let changes = model.integrator.allows_changing_steps();
-        let corrects = model.equation_of_state == EquationOfState::PressureCorrection;
-        if let Some(Adaptive { speed, acceleration, sound, viscosity, .. }) = self.adaptive {
-            if !changes {
-                return Err(not_together(
-                    "adaptive",
-                    "a model.integrator Verlet or one of Beeman's",
-                    "what it remembers of the step before is of a step of the same length",
-                ));
-            }
-            if [speed, acceleration, sound, viscosity].iter().all(Option::is_none) {
-                return Err(not_together("adaptive", "no criterion", "there is nothing for the time step to follow"));
-            }
-            if model.viscosity == Viscosity::Exchange || self.fluid.radial_exchange > 0.0 {
-                return Err(not_together(
-                    "adaptive",
-                    "exchanges of velocity",
-                    "their shares are of a step, so that with its length the viscosity would change",
-                ));
-            }
-        }
-        if self.air.is_some() && !changes {
-            return Err(not_together(
-                "air",
-                "a model.integrator Verlet or one of Beeman's",
-                "air that has just been made has no step before to remember",
-            ));
-        }
-        let drifts = matches!(model.integrator, Integrator::ModifiedVelocityVerlet | Integrator::SemiImplicitEuler);
-        if corrects && !drifts {
-            return Err(not_together(
-                "model.equation_of_state PressureCorrection",
-                "a model.integrator other than ModifiedVelocityVerlet or SemiImplicitEuler",
-                "pressure is iterated for the velocity that these drift with",
-            ));
-        }
-        if model.reevaluate {
-            if matches!(model.integrator, Integrator::Euler | Integrator::SemiImplicitEuler) {
-                return Err(not_together(
-                    "model.reevaluate",
-                    "one of Euler's for model.integrator",
-                    "forces are evaluated with the velocity at the end of the step already",
-                ));
-            }
-            if matches!(model.integrator, Integrator::Clavet | Integrator::PositionCorrectedBeeman) {
-                return Err(not_together(
-                    "model.reevaluate",
-                    "a model.integrator Clavet or PositionCorrectedBeeman",
-                    "it moves particles after the forces, so that neighbours would have to be found again",
-                ));
-            }
-            if corrects {
-                return Err(not_together(
-                    "model.reevaluate",
-                    "model.equation_of_state PressureCorrection",
-                    "the pressure was iterated for the forces without it",
-                ));
-            }
-        }
-        self.check_stiffness()
-    }
-
-    fn check_stiffness(&self) -> Result<(), SceneError> {
-        if self.stiffness_for_time_step.is_none() {
-            return Ok(());
-        }
-        if self.adaptive.is_some() {
-            return Err(not_together(
-                "stiffness_for_time_step",
-                "adaptive",
-                "either the stiffness follows from the time step or the time step from the stiffness",
-            ));
-        }
-        if self.fluids().any(|fluid| fluid.stiffness.is_some()) {
-            return Err(not_together("stiffness_for_time_step", "fluid.stiffness", "it already says how stiff"));
-        }
-        if self.model.equation_of_state == EquationOfState::PressureCorrection {
-            return Err(not_together(
-                "stiffness_for_time_step",
-                "model.equation_of_state PressureCorrection",
-                "sound that is iterated for does not limit the time step",
-            ));
-        }
-        Ok(())
     }
 }

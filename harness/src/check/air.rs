@@ -6,13 +6,13 @@
 //! A square drop at rest, without gravity and without tension. Limits are held against what is sure of soft air: the
 //! outermost row counts more of the neighbours that it should have, each bare particle gets its own, and the drop moves less. What
 //! else becomes of it is told as it came out, for other air too.
-use super::flow::{fluid, grid, larger, mean, rms_speed, start_with, step, steps_to};
+use super::flow::{checked, fluid, grid, larger, mean, rms_speed, start_with, step, steps_to};
 use super::recipes::SEVERAL_FLUIDS;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
-use millpond_core::scene::{Air, Block, DensityForm, Dimension, Fluid, ModelChoice, PressureForce, Scene, places};
+use millpond_core::scene::{Air, Block, DensityForm, Dimension, Fluid, ModelChoice, PressureForce, Scene};
 use millpond_core::{AirReport, Particle, Solver};
 
 const NAME: &str = "air";
@@ -162,8 +162,9 @@ fn scene((density, coat): (DensityForm, Option<Coat>)) -> Scene {
 
 fn evolve(context: &Context, case: (DensityForm, Option<Coat>)) -> Result<Drop, Failure> {
     let scene = scene(case);
+    let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
-    let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
+    let mut solver = start_with(NAME, &scene, scene.initial_particles().collect(), &mut heap)?;
     let before = roundness(&water(&solver));
     let title = format!("{NAME} {}", case.0.name());
     step(&title, context, &mut solver, FIRST, FIRST, |_| ())?;

@@ -3,7 +3,7 @@
 //!
 //! One metre of the scene is a millimetre of theirs: with nu = 1e-6 m2/s the kinematic viscosity then is 1, the seconds stay
 //! the same, and f32 has digits left for the spacing, which it has not at 2e-5 m from an origin 1 m away.
-use super::flow::{fluid, grid, larger, start_with, step, steps_to};
+use super::flow::{checked, fluid, grid, larger, start_with, step, steps_to};
 use super::recipes::WENDLAND;
 use super::reference::{couette as couette_series, numbers, poiseuille as poiseuille_series};
 use super::{Context, Figure, Outcome};
@@ -11,9 +11,9 @@ use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
 use millpond_core::Solver;
-use millpond_core::guided::support_radius;
+use millpond_core::derive::support_radius;
 use millpond_core::scene::{
-    Block, Dimension, Face, Fluid, Kernel, ModelChoice, Periodic, Scene, Viscosity, Wall, WallShape, places,
+    Block, Dimension, Face, Fluid, Kernel, ModelChoice, Periodic, Scene, Viscosity, Wall, WallShape,
 };
 
 /// kg/m3; Pa s, so that the kinematic viscosity is 1.
@@ -130,8 +130,9 @@ fn scene(drive: &Drive, across: u16) -> Scene {
 /// Error of the profile at each time, over the largest speed then.
 fn errors_of(context: &Context, drive: &Drive, across: u16, times: &[f64]) -> Result<Vec<f64>, Failure> {
     let scene = scene(drive, across);
+    let scene = checked(drive.name, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
-    let mut solver = start_with(drive.name, &scene, places(&scene).collect(), &mut heap)?;
+    let mut solver = start_with(drive.name, &scene, scene.initial_particles().collect(), &mut heap)?;
     let title = format!("{} {across}", drive.name);
     let mut errors = Vec::new();
     for time in times {

@@ -2,7 +2,7 @@
 use super::flow::{fluid, grid, mean};
 use super::recipes::WENDLAND;
 use millpond_core::Solver;
-use millpond_core::guided::support_radius;
+use millpond_core::derive::support_radius;
 use millpond_core::scene::{Block, Dimension, Face, Fluid, Kernel, ModelChoice, Scene, Wall, WallShape};
 
 /// A tank of water.

@@ -1,17 +1,17 @@
 //! `dam-break-front`: the catalogue's case D1. A column of water, twice as high as wide, collapses onto a dry bed; how far
 //! its front has come is compared with the experiments of Martin and Moyce 1952 and of Koshizuka and Oka 1996.
-use super::flow::{grid, start_with, step, steps_to};
+use super::flow::{checked, grid, start_with, step, steps_to};
 use super::recipes::WENDLAND;
 use super::reference::{along, pairs};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
-use millpond_core::Solver;
-use millpond_core::guided::support_radius;
+use millpond_core::derive::support_radius;
 use millpond_core::scene::{
-    Block, DensityForm, Dimension, Face, Fluid, ModelChoice, Scene, Wall, WallPressure, WallShape, places,
+    Block, DensityForm, Dimension, Face, Fluid, ModelChoice, Scene, Wall, WallPressure, WallShape,
 };
+use millpond_core::{Checked, Solver};
 
 const NAME: &str = "dam-break-front";
 
@@ -138,8 +138,9 @@ fn scene(side: u16, (density, wall_pressure): (DensityForm, WallPressure)) -> Sc
 
 fn collapse(context: &Context, side: u16, form: (DensityForm, WallPressure)) -> Result<Front, Failure> {
     let scene = scene(side, form);
+    let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
-    let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
+    let mut solver = start_with(NAME, &scene, scene.initial_particles().collect(), &mut heap)?;
     // T = n t sqrt(g / a), with n^2 = H / a
     let rate = (f64::from(GRAVITY) * f64::from(HEIGHT)).sqrt() / f64::from(BASE);
     let mut front = vec![[0.0, 1.0]];
@@ -153,9 +154,9 @@ fn collapse(context: &Context, side: u16, form: (DensityForm, WallPressure)) -> 
 
 /// Far edge of the rightmost column of one spacing that holds at least half of a full layer, m. A particle counts for the
 /// columns that its own width of one spacing covers, by their shares.
-fn place_of_front(solver: &mut Solver<'_>, scene: &Scene) -> f64 {
+fn place_of_front(solver: &mut Solver<'_>, scene: &Checked<'_>) -> f64 {
     let spacing = f64::from(scene.particle_spacing);
-    let water = scene.fluid_count();
+    let water = scene.derived().fluid_particles;
     let mut company = vec![0u32; water];
     solver.each_pair(|a, b| {
         let (a, b) = (a as usize, b as usize);

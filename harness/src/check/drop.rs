@@ -4,11 +4,13 @@
 //! denser than at rest. Its pressure then is positive everywhere: where it were negative particles would clump, and at an
 //! interface it is lowest.
 use super::Context;
-use super::flow::{fluid, grid, heap_for, larger, mean, start_with, step, steps_to};
+use super::flow::{checked, fluid, grid, heap_for, larger, mean, start_with, step, steps_to};
 use super::recipes::SEVERAL_FLUIDS;
 use crate::failure::Failure;
-use millpond_core::guided::{particle_mass, support_radius};
-use millpond_core::scene::{Block, Dimension, Fluid, Kernel, ModelChoice, Periodic, Place, Scene, SurfaceTension};
+use millpond_core::derive::support_radius;
+use millpond_core::scene::{
+    Block, Dimension, Fluid, InitialParticle, Kernel, ModelChoice, Periodic, Scene, SurfaceTension,
+};
 use millpond_core::{Particle, Solver};
 use std::f64::consts::PI;
 
@@ -121,7 +123,7 @@ pub(super) struct Droplet {
 #[derive(Clone, Debug)]
 pub(super) struct Calm {
     /// Its particles, and those around it, without their velocities.
-    pub(super) places: Vec<Place>,
+    pub(super) places: Vec<InitialParticle>,
     /// Where its centre is, m.
     pub(super) centre: [f64; 2],
     /// Pressure inside less pressure outside, Pa.
@@ -201,7 +203,7 @@ impl Droplet {
     }
 
     /// A lattice whose points inside of the disc are the drop's, and the others those of what is around it, if anything.
-    fn places(&self) -> Vec<Place> {
+    fn places(&self) -> Vec<InitialParticle> {
         let count = SIDE * self.radius;
         let along = |i: u16| (f64::from(i) + 0.5 - f64::from(count) / 2.0) * f64::from(self.spacing);
         let radius = f64::from(self.radius) * f64::from(self.spacing);
@@ -211,7 +213,7 @@ impl Droplet {
                 let (x, y) = (along(i), along(j));
                 let outside = x.hypot(y) >= radius;
                 if !outside || self.around == Around::Like {
-                    all.push(Place::of_fluid(u32::from(outside), [x as f32, y as f32, 0.0], [0.0; 3]));
+                    all.push(InitialParticle::of_fluid(u32::from(outside), [x as f32, y as f32, 0.0], [0.0; 3]));
                 }
             }
         }
@@ -226,6 +228,7 @@ impl Droplet {
         let (viscosity, end) = self.setting().calming;
         let scene = self.scene(viscosity);
         let places = self.places();
+        let scene = checked(study, &scene)?;
         let mut heap = heap_for(&scene, places.len());
         let mut solver = start_with(study, &scene, places, &mut heap)?;
         let mut sums = Sums::default();
@@ -235,12 +238,15 @@ impl Droplet {
                 sums.add(self, solver);
             }
         })?;
-        let mass = particle_mass(&scene);
+        let mass = scene.derived().particle_mass;
         let samples = sums.samples;
         let volume = sums.particles / samples * mass / (sums.density / samples);
         let viscosity = f64::from(viscosity * REST_DENSITY);
         Ok(Calm {
-            places: solver.particles().map(|p| Place::of_fluid(p.fluid, p.position.to_array(), [0.0; 3])).collect(),
+            places: solver
+                .particles()
+                .map(|p| InitialParticle::of_fluid(p.fluid, p.position.to_array(), [0.0; 3]))
+                .collect(),
             centre: centre(&of_drop(&solver)),
             jump: sums.jump / samples,
             radius: (volume / PI).sqrt(),

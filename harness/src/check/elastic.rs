@@ -3,16 +3,15 @@
 //! Two particles on one spring swing with the period of its stiffness and their masses: the more steps to a period, the
 //! closer. An elastic cube that falls onto the floor of a box flattens, bounces, trembles and has its shape again, and
 //! the account of its energies never grows: what a penalty wall takes is gone, and it gives nothing.
-use super::flow::{fluid, grid, larger, mean, start_with, step, steps_to};
+use super::flow::{checked, fluid, grid, larger, mean, start_with, step, steps_to};
 use super::recipes::WENDLAND;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use glam::Vec3;
 use millpond_core::OwnedMemory;
-use millpond_core::guided::particle_mass;
 use millpond_core::report::Energies;
-use millpond_core::scene::{Block, Container, Dimension, Fluid, ModelChoice, Place, Scene, places};
+use millpond_core::scene::{Block, Container, Dimension, Fluid, InitialParticle, ModelChoice, Scene};
 use millpond_core::{Particle, Solver};
 use std::f64::consts::{PI, TAU};
 
@@ -129,10 +128,11 @@ fn pair() -> Scene {
 
 fn swing(context: &Context, steps: u16) -> Result<Swing, Failure> {
     let mut scene = pair();
-    let exact = TAU * (particle_mass(&scene) / f64::from(PAIR_STIFFNESS)).sqrt();
+    let exact = TAU * (checked(NAME, &scene)?.derived().particle_mass / f64::from(PAIR_STIFFNESS)).sqrt();
     scene.time_step = (exact / f64::from(steps)) as f32;
     let apart = [-PAIR_SPEED, PAIR_SPEED].map(|speed| [speed, 0.0, 0.0]);
-    let places = places(&scene).zip(apart).map(|(place, velocity)| Place { velocity, ..place });
+    let scene = checked(NAME, &scene)?;
+    let places = scene.initial_particles().zip(apart).map(|(place, velocity)| InitialParticle { velocity, ..place });
     let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, places.collect(), &mut heap)?;
     let start = total(&solver.energies());
@@ -199,8 +199,9 @@ fn cube(context: &Context) -> Scene {
 fn fall(context: &Context) -> Result<Fall, Failure> {
     let scene = cube(context);
     let contact = (2.0 * f64::from(DROP + SPACING / 2.0) / f64::from(GRAVITY)).sqrt();
+    let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
-    let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
+    let mut solver = start_with(NAME, &scene, scene.initial_particles().collect(), &mut heap)?;
     let (energies, size) = (solver.energies(), extents(&solver).map(length));
     let start = total(&energies);
     let (mut flight, mut rise, mut bounce, mut clearance) = (0.0, 0.0, 0.0, 0.0);

@@ -1,5 +1,5 @@
 //! Kernels from tables (S0 section 4.2.3) beside kernels by formula: how far apart a step comes out, and what it costs.
-use super::flow::{fluid, grid, mean, start_with};
+use super::flow::{checked, fluid, grid, mean, start_with};
 use super::recipes::{THESIS, WENDLAND};
 use super::{Context, Figure};
 use crate::failure::Failure;
@@ -8,7 +8,7 @@ use crate::output::progress;
 use crate::timing::{Milliseconds, timed};
 use millpond_core::OwnedMemory;
 use millpond_core::Particle;
-use millpond_core::scene::{Block, Dimension, Evaluation, Fluid, ModelChoice, Scene, places};
+use millpond_core::scene::{Block, Dimension, Evaluation, Fluid, ModelChoice, Scene};
 
 /// Particles along an edge of a cube that is shaken by so much of its spacing: pairs at all distances.
 const EDGE: u16 = 16;
@@ -73,8 +73,9 @@ fn way(context: &Context, model: ModelChoice) -> Result<Way, Failure> {
     let mut scene = Scene::of(Dimension::Three, SPACING, TIME_STEP, water, block);
     scene.model = model;
     scene.grid = grid(Dimension::Three, 16);
+    let scene = checked("kernels", &scene)?;
     let mut heap = OwnedMemory::of(&scene);
-    let mut solver = start_with("kernels", &scene, places(&scene).collect(), &mut heap)?;
+    let mut solver = start_with("kernels", &scene, scene.initial_particles().collect(), &mut heap)?;
     solver.step(&context.pool)?;
     let particles = fluid(&solver);
     let mut times = Vec::new();

@@ -4,11 +4,23 @@ use crate::failure::Failure;
 use crate::output::progress;
 use millpond_core::OwnedMemory;
 use millpond_core::hash::tree_sum;
-use millpond_core::scene::{Dimension, Grid, Place, Scene};
-use millpond_core::{Particle, Plan, Requirements, Solver};
+use millpond_core::scene::{Dimension, Grid, InitialParticle, Scene};
+use millpond_core::{Checked, Particle, Plan, Requirements, SceneError, Solver};
+
+/// A study's scene with all that follows from it.
+///
+/// # Errors
+/// A scene that cannot run.
+pub(super) fn checked<'s>(study: &str, scene: &'s Scene) -> Result<Checked<'s>, Failure> {
+    scene.check().map_err(refused_by(study))
+}
+
+fn refused_by(study: &str) -> impl Fn(SceneError) -> Failure {
+    move |error| Failure::Scene { origin: format!("check {study}"), error }
+}
 
 /// Memory for a scene with so many particles.
-pub(super) fn heap_for(scene: &Scene, particles: usize) -> OwnedMemory {
+pub(super) fn heap_for(scene: &Checked<'_>, particles: usize) -> OwnedMemory {
     OwnedMemory::with(&Requirements::of(scene).for_particles(particles))
 }
 
@@ -18,12 +30,11 @@ pub(super) fn heap_for(scene: &Scene, particles: usize) -> OwnedMemory {
 /// A scene that cannot start.
 pub(super) fn start_with<'m>(
     study: &str,
-    scene: &Scene,
-    places: Vec<Place>,
+    scene: &Checked<'_>,
+    places: Vec<InitialParticle>,
     heap: &'m mut OwnedMemory,
 ) -> Result<Solver<'m>, Failure> {
-    let refused = |error| Failure::Scene { origin: format!("check {study}"), error };
-    Solver::with_particles(scene, Plan::of(scene), places.len(), places, heap.lend()).map_err(refused)
+    Solver::with_particles(scene, Plan::of(scene), places.len(), places, heap.lend()).map_err(refused_by(study))
 }
 
 /// Steps of `scene` that come nearest to `seconds`.

@@ -1,11 +1,11 @@
 //! `hydrostatic`: the catalogue's case H1. A tank of water settles, and its pressure must be the weight of what is above.
 use super::column::{Column, Miss, Profile};
-use super::flow::{start_with, step, steps_to};
+use super::flow::{checked, start_with, step, steps_to};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
-use millpond_core::scene::{DensityForm, Viscosity, WallPressure, Wind, places};
+use millpond_core::scene::{DensityForm, Viscosity, WallPressure, Wind};
 
 const NAME: &str = "hydrostatic";
 
@@ -86,8 +86,9 @@ fn settle(
     scene.fluid.alpha = ALPHA;
     scene.fluid.beta = 0.0;
     scene.wind = Some(Wind { velocity: [0.0; 3], drag: DRAG });
+    let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
-    let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
+    let mut solver = start_with(NAME, &scene, scene.initial_particles().collect(), &mut heap)?;
     let title = format!("{NAME} {}", wall.name());
     let mut profile = Profile::default();
     step(&title, context, &mut solver, steps_to(&scene, END), STEPS_PER_SAMPLE, |solver| {

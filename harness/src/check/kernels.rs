@@ -5,7 +5,7 @@ use super::reference::{entry, number, rows};
 use super::{Context, Figure, Outcome, evaluation, lattice};
 use crate::failure::Failure;
 use crate::outcome::table;
-use millpond_core::kernel::{laplacian, slope, value};
+use millpond_core::derive::kernel_constants::{laplacian, slope, value};
 use millpond_core::scene::Kernel;
 use millpond_core::terms::kernel::kernel_w;
 use std::f64::consts::PI;

@@ -8,14 +8,14 @@
 //! `delta = sqrt(2 nu / omega)`, which make the period longer by about `delta / (2 R)` of itself. That is 6 % here, and
 //! no formula for weak viscosity in a free drop has it. It also has the images of the drop in its periodic square: 2 %.
 use super::drop::{Around, Calm, Droplet, SIGMA, SPACING, centre, of_drop};
-use super::flow::{heap_for, larger, mean, start_with, step, steps_to};
+use super::flow::{checked, heap_for, larger, mean, start_with, step, steps_to};
 use super::reference::{entry, number, rows};
 use super::swing::{Swing, fit, natural, theory};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::Solver;
-use millpond_core::scene::{Place, SurfaceTension};
+use millpond_core::scene::{InitialParticle, SurfaceTension};
 use std::f64::consts::PI;
 
 const NAME: &str = "oscillating-drop";
@@ -171,6 +171,7 @@ fn swing(context: &Context, drop: &Droplet, calm: &Calm, sigma: f64) -> Result<R
     }
     let scene = drop.scene(VISCOSITY);
     let places = set_going(calm, AMPLITUDE * calm.radius * 2.0 * PI / theory.period);
+    let scene = checked(NAME, &scene)?;
     let mut heap = heap_for(&scene, places.len());
     let mut solver = start_with(NAME, &scene, places, &mut heap)?;
     let periods = if drop.around == Around::Like { END } else { END_IN_NOTHING };
@@ -188,17 +189,17 @@ fn swing(context: &Context, drop: &Droplet, calm: &Calm, sigma: f64) -> Result<R
 /// The calm drop with the velocities of its second mode where it is round: `U (x, -y) / R` inside, and outside what goes
 /// with it without a source, `U (R / r)^3 (cos 3 theta, sin 3 theta)`. At the sides of the square an eighth of U is left,
 /// which goes off as sound.
-fn set_going(calm: &Calm, speed: f64) -> Vec<Place> {
-    let going = |place: &Place| {
+fn set_going(calm: &Calm, speed: f64) -> Vec<InitialParticle> {
+    let going = |place: &InitialParticle| {
         let [x, y] = [0, 1].map(|axis| f64::from(place.position[axis]) - calm.centre[axis]);
         let (r2, radius) = (x * x + y * y, calm.radius);
-        let [u, v] = if place.species == 0 {
+        let [u, v] = if place.material == 0 {
             [x / radius, -y / radius]
         } else {
             let fall = (radius / r2).powi(3);
             [fall * x * (x * x - 3.0 * y * y), fall * y * (3.0 * x * x - y * y)]
         };
-        Place { velocity: [(speed * u) as f32, (speed * v) as f32, 0.0], ..*place }
+        InitialParticle { velocity: [(speed * u) as f32, (speed * v) as f32, 0.0], ..*place }
     };
     calm.places.iter().map(going).collect()
 }

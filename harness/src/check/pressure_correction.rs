@@ -1,12 +1,12 @@
 //! `pressure-correction`: S0 section 3.2.2. Water at its real speed of sound, 1500 m/s, with the time step of an equation of
 //! state at 30 m/s: fifty times what that equation would need.
 use super::column::{Column, Profile};
-use super::flow::{start_with, step, steps_to};
+use super::flow::{checked, start_with, step, steps_to};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
-use millpond_core::scene::{Correction, EquationOfState, Kernel, PressureForce, Wind, places};
+use millpond_core::scene::{Correction, EquationOfState, Kernel, PressureForce, Wind};
 
 const NAME: &str = "pressure-correction";
 
@@ -59,8 +59,9 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     scene.wind = Some(Wind { velocity: [0.0; 3], drag: DRAG });
     let Correction { iteration, iterations, tolerance } = scene.model.correction;
 
+    let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
-    let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
+    let mut solver = start_with(NAME, &scene, scene.initial_particles().collect(), &mut heap)?;
     let start = Column::mean_height(&solver);
     let (mut profile, mut mean, mut largest, mut residual) = (Profile::default(), 0.0f64, 0.0f64, 0.0f32);
     step(NAME, context, &mut solver, steps_to(&scene, END), STEPS_PER_SAMPLE, |solver| {

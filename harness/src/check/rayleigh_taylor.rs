@@ -5,7 +5,7 @@
 //! The catalogue's rate is that of flow without rotation, less what viscosity costs this flow: 1.165 1/s. But two viscous
 //! fluids do not slide past each other as such a flow does. With velocities and stresses that go on across the interface
 //! the same theory gives 1.050 1/s, and with that the particles are compared; the figures for the other are in the table.
-use super::flow::{fluid, grid, mean, start_with, step, steps_to};
+use super::flow::{checked, fluid, grid, mean, start_with, step, steps_to};
 use super::recipes::SEVERAL_FLUIDS;
 use super::reference::{entry, number, rows};
 use super::ripple::{DENSITIES, DEPTH, GRAVITY, Mode, NU, WAVE_NUMBER, formula};
@@ -13,12 +13,12 @@ use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
-use millpond_core::guided::support_radius;
+use millpond_core::derive::support_radius;
 use millpond_core::scene::{
-    Block, DensityForm, Dimension, Face, Fluid, Kernel, ModelChoice, Periodic, Place, PressureForce, Scene, Wall,
-    WallPressure, WallShape, places,
+    Block, DensityForm, Dimension, Face, Fluid, InitialParticle, Kernel, ModelChoice, Periodic, PressureForce, Scene,
+    Wall, WallPressure, WallShape,
 };
-use millpond_core::{Particle, Solver};
+use millpond_core::{Checked, Particle, Solver};
 
 const NAME: &str = "rayleigh-taylor";
 
@@ -175,24 +175,25 @@ fn model((density, pressure_force): Form) -> ModelChoice {
 }
 
 /// The lattice, moved by the mode and moving as it does. Masses and densities stay those of the level fluids.
-fn rippled(scene: &Scene, mode: &Mode) -> Vec<Place> {
-    let fluid = scene.fluid_count();
-    let moved = |place: Place| {
-        let (own, [x, y, _]) = (usize::from(place.species == 1), place.position.map(f64::from));
+fn rippled(scene: &Checked<'_>, mode: &Mode) -> Vec<InitialParticle> {
+    let fluid = scene.derived().fluid_particles;
+    let moved = |place: InitialParticle| {
+        let (own, [x, y, _]) = (usize::from(place.material == 1), place.position.map(f64::from));
         let mut at = [x, y];
         for _ in 0..PARTS {
             let by = mode.displacement(at, own).map(|by| by * AMPLITUDE / f64::from(PARTS));
             at = [at[0] + by[0], at[1] + by[1]];
         }
         let [u, v] = mode.displacement(at, own).map(|by| (by * AMPLITUDE * mode.rate) as f32);
-        Place { position: [at[0].rem_euclid(1.0) as f32, at[1] as f32, 0.0], velocity: [u, v, 0.0], ..place }
+        InitialParticle { position: [at[0].rem_euclid(1.0) as f32, at[1] as f32, 0.0], velocity: [u, v, 0.0], ..place }
     };
-    places(scene).enumerate().map(|(i, place)| if i < fluid { moved(place) } else { place }).collect()
+    scene.initial_particles().enumerate().map(|(i, place)| if i < fluid { moved(place) } else { place }).collect()
 }
 
 /// Rate at which the ripple grows, 1/s.
 fn growth(context: &Context, across: u16, form: Form, mode: &Mode) -> Result<f64, Failure> {
     let scene = scene(across, form);
+    let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, rippled(&scene, mode), &mut heap)?;
     let (mut samples, mut small) = (Vec::new(), true);
@@ -233,13 +234,14 @@ fn rise(context: &Context) -> Result<(f64, String), Failure> {
     let scene = oil_in_water();
     // water everywhere, and some of it is oil: at the same pressure it is as much compressed
     let centre = CENTRE;
-    let relabelled = |place: Place| {
+    let relabelled = |place: InitialParticle| {
         let [x, y, _] = place.position;
         let inside = (x - centre[0]).hypot(y - centre[1]) < RADIUS;
-        if inside { Place { species: 1, ..place } } else { place }
+        if inside { InitialParticle { material: 1, ..place } } else { place }
     };
-    let start = places(&scene).enumerate();
-    let count = scene.fluid_count();
+    let scene = checked(NAME, &scene)?;
+    let start = scene.initial_particles().enumerate();
+    let count = scene.derived().fluid_particles;
     let start = start.map(|(i, place)| if i < count { relabelled(place) } else { place }).collect();
     let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, start, &mut heap)?;

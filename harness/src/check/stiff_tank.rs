@@ -31,7 +31,7 @@ const SAMPLES_PER_SECOND: f64 = 200.0;
 
 pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let named = load(NAME, &Changes::default())?;
-    let scene = &named.file.scene;
+    let scene = &named.checked()?;
     let end = named.file.duration * if context.quick { QUICK_SHARE } else { 1.0 };
     let redo_above = scene.adaptive.and_then(|adaptive| adaptive.redo_above).map_or(f64::INFINITY, f64::from);
     let mut heap = OwnedMemory::of(scene);

@@ -1,11 +1,11 @@
 //! `still-tank`: the catalogue's case H2. A tank that starts at rest, in the density that its weight asks for, stays so.
 use super::column::Column;
-use super::flow::{rms_speed, start_with, step, steps_to};
+use super::flow::{checked, rms_speed, start_with, step, steps_to};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
-use millpond_core::scene::{DensityForm, Kernel, Viscosity, places};
+use millpond_core::scene::{DensityForm, Kernel, Viscosity};
 
 const NAME: &str = "still-tank";
 
@@ -73,8 +73,9 @@ fn rest(context: &Context, column: &Column, density: DensityForm) -> Result<Rest
     scene.model.viscosity = Viscosity::Artificial;
     scene.fluid.alpha = ALPHA;
     scene.fluid.beta = 0.0;
+    let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
-    let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
+    let mut solver = start_with(NAME, &scene, scene.initial_particles().collect(), &mut heap)?;
     let start = Column::mean_height(&solver);
     let mut speed = 0.0f64;
     step(NAME, context, &mut solver, steps_to(&scene, END), STEPS_PER_SAMPLE, |solver| {

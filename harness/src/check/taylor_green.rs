@@ -5,16 +5,16 @@
 //! SPH loses most. What helps (tried: see the notes that the study prints) is a support wide enough for the particles to
 //! matter little one by one, and a packing a little denser than at rest: without pressure at large, some of it would be
 //! negative, and particles clump.
-use super::flow::{fluid, grid, heap_for, mean, start_with, step, steps_to};
+use super::flow::{checked, fluid, grid, heap_for, mean, start_with, step, steps_to};
 use super::recipes::WENDLAND;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
-use millpond_core::Solver;
-use millpond_core::guided::support_radius;
+use millpond_core::derive::support_radius;
 use millpond_core::scene::{
-    Block, DensityForm, Dimension, Fluid, ModelChoice, Periodic, Place, PressureForce, Scene, places,
+    Block, DensityForm, Dimension, Fluid, InitialParticle, ModelChoice, Periodic, PressureForce, Scene,
 };
+use millpond_core::{Checked, Solver};
 use std::f64::consts::PI;
 
 const NAME: &str = "taylor-green";
@@ -143,9 +143,9 @@ fn exact(x: f64, y: f64) -> [f64; 2] {
 }
 
 /// The particles: their own lattice, denser than the scene's, with the velocities of the flow.
-fn particles(scene: &Scene, side: u16, start: Start) -> Vec<Place> {
+fn particles(scene: &Checked<'_>, side: u16, start: Start) -> Vec<InitialParticle> {
     // what is not a position or a velocity is as for any particle of the scene
-    let Some(pattern) = places(scene).next() else { return Vec::new() };
+    let Some(pattern) = scene.initial_particles().next() else { return Vec::new() };
     let deviation = f64::from(LOOSER * LOOSER - 1.0);
     // the generator of core's blocks (Numerical Recipes): any fixed sequence will do
     let mut seed = 1u32;
@@ -164,7 +164,7 @@ fn particles(scene: &Scene, side: u16, start: Start) -> Vec<Place> {
             let [u, v] = exact(x, y);
             let (position, velocity) = ([x as f32, y as f32, 0.0], [u as f32, v as f32, 0.0]);
             // where density is stepped it starts as dense as the packing
-            all.push(Place { position, velocity, deviation: deviation as f32, ..pattern });
+            all.push(InitialParticle { position, velocity, deviation: deviation as f32, ..pattern });
         }
     }
     all
@@ -172,6 +172,7 @@ fn particles(scene: &Scene, side: u16, start: Start) -> Vec<Place> {
 
 fn decay(context: &Context, side: u16, form: (DensityForm, PressureForce), start: Start) -> Result<Decay, Failure> {
     let scene = scene(side, form);
+    let scene = checked(NAME, &scene)?;
     let places = particles(&scene, side, start);
     let mut heap = heap_for(&scene, places.len());
     let mut solver = start_with(NAME, &scene, places, &mut heap)?;

@@ -1,12 +1,12 @@
 //! `tensile`: S0 test 1 (section 5.3.1). A cube of water without gravity, held together by its own suction, becomes a
 //! sphere; near pressure keeps its particles from clustering, and without it they do.
-use super::flow::{fluid, grid, mean, start_with, step, steps_to};
+use super::flow::{checked, fluid, grid, mean, start_with, step, steps_to};
 use super::recipes::THESIS;
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
-use millpond_core::scene::{Block, Dimension, Fluid, ModelChoice, NearPressure, Scene, places};
+use millpond_core::scene::{Block, Dimension, Fluid, ModelChoice, NearPressure, Scene};
 use millpond_core::{Particle, Solver};
 
 const NAME: &str = "tensile";
@@ -94,8 +94,9 @@ fn scene(context: &Context, near_pressure: NearPressure) -> Scene {
 fn evolve(context: &Context, near_pressure: NearPressure, end: f64) -> Result<Blob, Failure> {
     let scene = scene(context, near_pressure);
     let rest = f64::from(scene.fluid.rest_density);
+    let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
-    let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
+    let mut solver = start_with(NAME, &scene, scene.initial_particles().collect(), &mut heap)?;
     let before = roundness(&fluid(&solver));
     let (mut closest, mut density) = (f64::INFINITY, 0.0f64);
     let title = format!("{NAME} {}", near_pressure.name());

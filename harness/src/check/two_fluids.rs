@@ -4,17 +4,16 @@
 //! The classic density sum smears the heavy fluid's density over the nearest rows of the light one, and the light one's over
 //! the heavy one's: rows that are not compressed at all are pushed apart, or torn in as far as suction acts. The adapted
 //! forms see no other fluid in their densities (S0 section 3.4.3).
-use super::flow::{grid, larger, rms_speed, start_with, step, steps_to};
+use super::flow::{checked, grid, larger, rms_speed, start_with, step, steps_to};
 use super::recipes::SEVERAL_FLUIDS;
 use super::strata::{GRAVITY, HEAVY, NEAR, Rest, Row, averaged, mixed, near, rows};
 use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
-use millpond_core::guided::support_radius;
+use millpond_core::derive::support_radius;
 use millpond_core::scene::{
     Block, DensityForm, Dimension, Face, Fluid, Kernel, ModelChoice, PressureForce, Scene, Viscosity, Wall, WallShape,
-    places,
 };
 
 const NAME: &str = "two-fluids";
@@ -191,8 +190,9 @@ fn scene(side: u16, ratio: f32, (density, pressure_force): Form) -> Scene {
 fn rest(context: &Context, side: u16, case: Case, form: Form) -> Result<Rest, Failure> {
     let scene = scene(side, case.ratio, form);
     let end = if context.quick { case.quick_end } else { case.end };
+    let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
-    let mut solver = start_with(NAME, &scene, places(&scene).collect(), &mut heap)?;
+    let mut solver = start_with(NAME, &scene, scene.initial_particles().collect(), &mut heap)?;
     let (mut samples, mut speed) = (Vec::new(), 0.0);
     let title = format!("{NAME} {} {}", case.ratio, form.0.name());
     step(&title, context, &mut solver, steps_to(&scene, end), STEPS_PER_SAMPLE, |solver| {
@@ -214,8 +214,9 @@ fn rest(context: &Context, side: u16, case: Case, form: Form) -> Result<Rest, Fa
 
 /// The rows of a scene that has only begun.
 fn start(scene: &Scene, side: u16) -> Result<Vec<Row>, Failure> {
+    let scene = &checked(NAME, scene)?;
     let mut heap = OwnedMemory::of(scene);
-    let solver = start_with(NAME, scene, places(scene).collect(), &mut heap)?;
+    let solver = start_with(NAME, scene, scene.initial_particles().collect(), &mut heap)?;
     Ok(rows(&solver, scene, side))
 }
 
@@ -238,8 +239,9 @@ fn labels(context: &Context, side: u16, form: Form) -> Result<f64, Failure> {
 }
 
 fn hash(context: &Context, scene: &Scene) -> Result<u64, Failure> {
+    let scene = &checked(NAME, scene)?;
     let mut heap = OwnedMemory::of(scene);
-    let mut solver = start_with(NAME, scene, places(scene).collect(), &mut heap)?;
+    let mut solver = start_with(NAME, scene, scene.initial_particles().collect(), &mut heap)?;
     step(NAME, context, &mut solver, LABEL_STEPS, LABEL_STEPS, |_| ())?;
     Ok(solver.hash())
 }

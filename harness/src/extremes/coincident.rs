@@ -3,8 +3,8 @@
 use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
 use millpond_core::scene::{
-    DensityForm, EquationOfState, Evaluation, Kernel, NearPressure, Place, PressureForce, Scene, SupportRange,
-    SurfaceTension, Viscosity,
+    DensityForm, EquationOfState, Evaluation, InitialParticle, Kernel, NearPressure, PressureForce, Scene,
+    SupportRange, SurfaceTension, Viscosity,
 };
 
 /// Of those that started in one place, most will have come apart.
@@ -20,7 +20,7 @@ pub fn cases() -> Result<Vec<Case>, Failure> {
     let mut cases = Vec::new();
     // two pass through each other, two rest in each other, and one is near
     let places = [(0.0, 1.0), (0.0, -1.0), (0.05, 0.0), (0.05, 0.0), (0.03, 0.0)];
-    let places = places.map(|(x, v)| Place::at([x, 0.0, 0.0], [0.0, v, 0.0]));
+    let places = places.map(|(x, v)| InitialParticle::at([x, 0.0, 0.0], [0.0, v, 0.0]));
     let mut add = |what: &str, change: &dyn Fn(&mut Scene)| {
         let mut scene = scene.clone();
         change(&mut scene);

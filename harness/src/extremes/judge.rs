@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::outcome::Figure;
 use crate::snapshot::Snapshot;
 use millpond_core::OwnedMemory;
-use millpond_core::scene::{Place, places};
+use millpond_core::scene::InitialParticle;
 use millpond_core::{Array, Plan, Requirements, SceneError, Serial, Simd, Solver, StepError};
 use millpond_gpu::{Gpu, GpuError, GpuSolver};
 use std::fmt;
@@ -138,11 +138,10 @@ impl Ended {
 
 /// Does something with a case at its start.
 fn with_solver<T>(case: &Case, work: impl FnOnce(Solver<'_>) -> T) -> Result<T, SceneError> {
-    // how much memory a scene needs is only to be said of one that can be
-    case.scene.check()?;
-    let at: Vec<Place> = case.places.clone().unwrap_or_else(|| places(&case.scene).collect());
-    let mut heap = OwnedMemory::with(&Requirements::of(&case.scene).for_particles(at.len()));
-    Solver::with_particles(&case.scene, Plan::of(&case.scene), at.len(), at, heap.lend()).map(work)
+    let scene = case.scene.check()?;
+    let at: Vec<InitialParticle> = case.places.clone().unwrap_or_else(|| scene.initial_particles().collect());
+    let mut heap = OwnedMemory::with(&Requirements::of(&scene).for_particles(at.len()));
+    Solver::with_particles(&scene, Plan::of(&scene), at.len(), at, heap.lend()).map(work)
 }
 
 fn on_cpu(case: &Case, backend: &'static str, simd: Simd) -> Result<Ended, SceneError> {

@@ -96,7 +96,8 @@ fn outside(run: &Run<'_>) -> usize {
 /// Warnings that `run` would give.
 fn said(run: &Run<'_>) -> Result<usize, Failure> {
     let (start, end) = (census(run.scene, run.start)?, census(run.scene, run.end)?);
-    Ok(warnings(run.scene, &end, 0).len() + usize::from(gained(run.scene, &start, &end).is_some()))
+    let scene = run.scene.check().map_err(|error| Failure::Scene { origin: "warnings".into(), error })?;
+    Ok(warnings(&scene, &end, 0).len() + usize::from(gained(run.scene, &start, &end).is_some()))
 }
 
 /// By how much mechanical energy grew, over what was in motion or fell.

@@ -18,7 +18,7 @@ pub use measures::Measure;
 use crate::failure::Failure;
 use crate::scenes::{Changes, load};
 use crate::snapshot::Snapshot;
-use millpond_core::scene::{Place, Scene};
+use millpond_core::scene::{InitialParticle, Scene};
 use millpond_core::{SceneError, StepError};
 
 /// A scene at an extreme.
@@ -29,7 +29,7 @@ pub struct Case {
     /// What runs.
     pub scene: Scene,
     /// Its particles; none: those of the scene's own lattice.
-    pub places: Option<Vec<Place>>,
+    pub places: Option<Vec<InitialParticle>>,
     /// Steps to make.
     pub steps: u32,
     /// What must come of it.
@@ -69,7 +69,7 @@ impl Case {
     }
 
     /// With these particles.
-    fn of_places(name: impl Into<String>, scene: &Scene, places: Vec<Place>, steps: u32, end: End) -> Case {
+    fn of_places(name: impl Into<String>, scene: &Scene, places: Vec<InitialParticle>, steps: u32, end: End) -> Case {
         Case { name: name.into(), scene: scene.clone(), places: Some(places), steps, end }
     }
 }

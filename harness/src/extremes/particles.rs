@@ -3,9 +3,8 @@ use super::settings::CELLS;
 use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
 use millpond_core::Quantity;
-use millpond_core::guided::parameters;
-use millpond_core::scene::{GridStructure, NearPressure, Place, Scene};
-use millpond_core::{SceneError, StepError};
+use millpond_core::scene::{GridStructure, InitialParticle, NearPressure, Scene};
+use millpond_core::{Axis, SceneError, StepError};
 
 /// Steps of a fall: 0.1 s.
 const FALL: u32 = 100;
@@ -29,8 +28,8 @@ pub fn cases() -> Result<Vec<Case>, Failure> {
     Ok(cases)
 }
 
-fn at(x: f32) -> Place {
-    Place::at([x, 0.0, 0.0], [0.0; 3])
+fn at(x: f32) -> InitialParticle {
+    InitialParticle::at([x, 0.0, 0.0], [0.0; 3])
 }
 
 fn few(scene: &Scene) -> Vec<Case> {
@@ -49,7 +48,7 @@ fn coincident(scene: &Scene) -> Vec<Case> {
     let apart = |distance: f32| vec![at(-0.5 * distance), at(0.5 * distance)];
     let mut light = scene.clone();
     light.gravity = [0.0; 3];
-    let slow = |v: f32| Place::at([0.0, 1.0, 0.0], [v, -v, 0.0]);
+    let slow = |v: f32| InitialParticle::at([0.0, 1.0, 0.0], [v, -v, 0.0]);
     vec![
         Case::of_places("two coincident particles", scene, many(2), FALL, End::Runs(Measure::Falls)),
         Case::of_places("1000 coincident particles", scene, many(1000), 3, End::Runs(Measure::Falls)),
@@ -63,12 +62,12 @@ fn coincident(scene: &Scene) -> Vec<Case> {
 
 fn far(scene: &Scene) -> Vec<Case> {
     let beside = |x: f32| vec![at(0.1), at(x)];
-    let fast = |v: f32| vec![at(0.1), Place::at([0.0; 3], [0.0, v, 0.0])];
+    let fast = |v: f32| vec![at(0.1), InitialParticle::at([0.0; 3], [0.0, v, 0.0])];
     let start = End::Refused(|error| {
-        matches!(error, SceneError::FirstStep(StepError::OutOfRange { particle: 1, axis: 0, step: 1 }))
+        matches!(error, SceneError::FirstStep(StepError::OutOfRange { particle: 1, axis: Axis::X, step: 1 }))
     });
-    let first = End::Stopped(|error| matches!(error, StepError::OutOfRange { particle: 1, axis: 1, step: 1 }));
-    let fourth = End::Stopped(|error| matches!(error, StepError::OutOfRange { particle: 1, axis: 1, step: 4 }));
+    let first = End::Stopped(|error| matches!(error, StepError::OutOfRange { particle: 1, axis: Axis::Y, step: 1 }));
+    let fourth = End::Stopped(|error| matches!(error, StepError::OutOfRange { particle: 1, axis: Axis::Y, step: 4 }));
     vec![
         Case::of_places("a particle 1e5 m away", scene, beside(1e5), FALL, End::Runs(Measure::Falls)),
         Case::of_places("the same, said to the user", scene, beside(1e5), 1, End::Runs(Measure::Warned)),
@@ -94,17 +93,17 @@ fn no_numbers(scene: &Scene) -> Vec<Case> {
     weighed.model.hydrostatic_start = true;
     let mut cases = Vec::new();
     for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
-        let mut case = |what: &str, place: Place, end| {
+        let mut case = |what: &str, place: InitialParticle, end| {
             let name = format!("a {what} of {bad}");
             cases.push(Case::of_places(name, &weighed, vec![at(0.1), place, at(0.2)], 1, end));
         };
-        case("position", Place { position: [0.0, bad, 0.0], ..at(0.0) }, position);
-        case("velocity", Place { velocity: [0.0, 0.0, bad], ..at(0.0) }, velocity);
-        case("density", Place { deviation: bad, ..at(0.0) }, density);
-        case("pressure", Place { pressure: bad, ..at(0.0) }, density);
-        case("mass", Place { mass: bad, ..at(0.0) }, mass);
+        case("position", InitialParticle { position: [0.0, bad, 0.0], ..at(0.0) }, position);
+        case("velocity", InitialParticle { velocity: [0.0, 0.0, bad], ..at(0.0) }, velocity);
+        case("density", InitialParticle { deviation: bad, ..at(0.0) }, density);
+        case("pressure", InitialParticle { pressure: bad, ..at(0.0) }, density);
+        case("mass", InitialParticle { mass: bad, ..at(0.0) }, mass);
     }
-    cases.push(Case::of_places("a mass of 0", &weighed, vec![Place { mass: 0.0, ..at(0.0) }], 1, mass));
+    cases.push(Case::of_places("a mass of 0", &weighed, vec![InitialParticle { mass: 0.0, ..at(0.0) }], 1, mass));
     cases
 }
 
@@ -112,13 +111,14 @@ fn no_numbers(scene: &Scene) -> Vec<Case> {
 fn crowded(scene: &Scene) -> Vec<Case> {
     let mut small = scene.clone();
     small.grid.cells = [3, 3, 3];
-    let cell = 1.0 / parameters(&small).inverse_cell[0];
+    let inverse_cell = small.check().map_or(0.0, |small| small.derived().parameters.inverse_cell[0]);
+    let cell = 1.0 / inverse_cell;
     // centres of cells that are one cell of the grid, and three cells apart
     let along = |i: u16| cell * (0.5 + 3.0 * f32::from(i));
     let square = (0..CROWD).flat_map(|j| (0..CROWD).map(move |i| [i, j]));
     // low down, where f32 sees the first step of a fall
-    let square = square.map(|[i, j]| Place::at([along(i), 0.001 * cell, along(j)], [0.0; 3]));
-    let crowd: Vec<Place> = square.collect();
+    let square = square.map(|[i, j]| InitialParticle::at([along(i), 0.001 * cell, along(j)], [0.0; 3]));
+    let crowd: Vec<InitialParticle> = square.collect();
     let mut lists = small.clone();
     lists.grid.structure = GridStructure::CellLists { places: 16 };
     let full = End::Refused(|error| {
@@ -131,9 +131,10 @@ fn crowded(scene: &Scene) -> Vec<Case> {
     three.gravity = [0.0; 3];
     three.model.near_pressure = NearPressure::Off;
     three.grid.structure = GridStructure::CellLists { places: 3 };
-    let resting = [[0.01, 0.01, 0.01], [0.05, 0.01, 0.05], [0.01, 0.01, 0.08]].map(|x| Place::at(x, [0.0; 3]));
+    let resting =
+        [[0.01, 0.01, 0.01], [0.05, 0.01, 0.05], [0.01, 0.01, 0.08]].map(|x| InitialParticle::at(x, [0.0; 3]));
     let mut flight = resting.to_vec();
-    flight.push(Place::at([0.05, 0.185, 0.05], [0.0, -20.0, 0.0]));
+    flight.push(InitialParticle::at([0.05, 0.185, 0.05], [0.0, -20.0, 0.0]));
     let fourth = End::Stopped(|error| matches!(error, StepError::CellFull { cell: 0, count: 4, capacity: 3, .. }));
     let mut sorted = three.clone();
     sorted.grid.structure = GridStructure::IndexSort;

@@ -2,9 +2,9 @@
 //! places where `f32` has no digits left.
 use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
-use millpond_core::guided::support_radius;
+use millpond_core::derive::support_radius;
 use millpond_core::scene::{Container, GridStructure, Scene, Viscosity, Wall, WallShape};
-use millpond_core::{SceneError, StepError};
+use millpond_core::{Axis, SceneError, StepError};
 
 /// Particles of a case.
 const PARTICLES: u64 = 200;
@@ -157,7 +157,7 @@ fn nothing(dam: &Scene) -> Vec<Case> {
         s.walls = [Wall::still(shape)].into_iter().collect();
     });
     let size = End::Refused(|e| matches!(e, SceneError::NotPositive { field: "blocks.size", .. }));
-    let empty = End::Refused(|e| matches!(e, SceneError::EmptyBlock { block: 0, axis: 1, .. }));
+    let empty = End::Refused(|e| matches!(e, SceneError::EmptyBlock { block: 0, axis: Axis::Y, .. }));
     let density = End::Refused(|e| matches!(e, SceneError::NotPositive { field: "fluid.rest_density", .. }));
     vec![
         Case::of_scene("a block of no height", flat, 1, size),

@@ -4,9 +4,9 @@ use crate::energy::{DENSITY_LIMIT, GROWTH_LIMIT, driven_by, scale, total};
 use crate::output::seconds;
 use crate::scenes::MOST_BYTES;
 use millpond_core::OwnedMemory;
-use millpond_core::guided::support_radius;
+use millpond_core::derive::support_radius;
 use millpond_core::scene::Scene;
-use millpond_core::{Requirements, SceneError, Serial, Solver, StepError};
+use millpond_core::{Checked, Requirements, SceneError, Serial, Solver, StepError};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -106,7 +106,7 @@ pub(super) struct Judge {
 
 impl Judge {
     /// Of a run at its start.
-    pub(super) fn new(scene: &Scene, solver: &Solver<'_>) -> Judge {
+    pub(super) fn new(scene: &Checked<'_>, solver: &Solver<'_>) -> Judge {
         let scale = driven_by(scene).is_none().then(|| scale(scene, solver));
         // a box that never held all of the fluid loses none of it
         let fluid = || solver.particles().filter(|particle| !particle.wall && !particle.dormant);
@@ -116,7 +116,7 @@ impl Judge {
     }
 
     /// The criterion that the state now breaks, if any.
-    pub(super) fn look(&mut self, scene: &Scene, solver: &Solver<'_>) -> Option<Broken> {
+    pub(super) fn look(&mut self, scene: &Checked<'_>, solver: &Solver<'_>) -> Option<Broken> {
         let broken = |criterion, words| Some(Broken { criterion, time: solver.time(), words });
         let energy = total(scene, solver);
         let compression = solver.density_error().mean;
@@ -158,19 +158,24 @@ pub(super) struct Trial {
     pub(super) verdict: Verdict,
     /// Steps that were made.
     pub(super) steps: u64,
+    /// Particles of the scene; 0 where it was refused.
+    pub(super) particles: usize,
 }
 
 /// Runs a scene for so many simulated seconds, or until it breaks a criterion, on the calling thread. `watch` sees it at its
 /// start and after each step.
 pub(super) fn classify(scene: &Scene, time: f64, most: u64, mut watch: impl FnMut(&Solver<'_>)) -> Trial {
-    let ended = |verdict, steps| Trial { verdict, steps };
+    let ended = |verdict, steps| Trial { verdict, steps, particles: 0 };
     let refused = |error: SceneError| ended(Verdict::Refused(error.to_string()), 0);
     if scene.adaptive.is_some() {
         return ended(Verdict::Refused("adaptive leaves no time step to judge: --set adaptive=null".into()), 0);
     }
-    if let Err(error) = scene.check() {
-        return refused(error);
-    }
+    let scene = &match scene.check() {
+        Ok(scene) => scene,
+        Err(error) => return refused(error),
+    };
+    let particles = scene.derived().particles();
+    let ended = |verdict, steps| Trial { verdict, steps, particles };
     let bytes = Requirements::of(scene).bytes();
     if bytes > MOST_BYTES {
         return ended(Verdict::Refused(format!("the scene needs {bytes} bytes, and {MOST_BYTES} are given to one")), 0);

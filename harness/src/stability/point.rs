@@ -7,7 +7,7 @@ use super::{Courant, Outcome, Run};
 use crate::energy::fastest_sound;
 use crate::failure::Failure;
 use crate::output::seconds;
-use millpond_core::guided::support_radius;
+use millpond_core::derive::support_radius;
 use millpond_core::scene::Scene;
 
 /// Share of the support that sound crosses in the step that a bisection starts from (Monaghan 1992).
@@ -84,14 +84,9 @@ impl Limits {
 
     /// One run, with the scene's own step.
     fn classified(self, scene: &Scene, blank: Run) -> Run {
-        let Trial { verdict, steps } = classify(scene, self.seconds, self.most_steps, |_| ());
+        let Trial { verdict, steps, particles } = classify(scene, self.seconds, self.most_steps, |_| ());
         let run = Run { steps, ..blank };
-        let at_step = |run: Run| Run {
-            time_step: Some(scene.time_step),
-            courant: courant(scene),
-            particles: scene.particle_count(),
-            ..run
-        };
+        let at_step = |run: Run| Run { time_step: Some(scene.time_step), courant: courant(scene), particles, ..run };
         match verdict {
             Verdict::Stable => {
                 at_step(Run { outcome: Outcome::Stable, detail: format!("stable for {steps} steps"), ..run })
@@ -107,7 +102,7 @@ impl Limits {
 
     /// As many runs as it takes to find the largest stable step.
     fn bisected(self, scene: &Scene, blank: Run) -> Run {
-        let mut steps_made = 0;
+        let (mut steps_made, mut particles) = (0, 0);
         // of the smallest step that would not do
         let mut failed: Option<(f32, Verdict)> = None;
         let mut softness = Softness::default();
@@ -117,9 +112,10 @@ impl Limits {
         let most = (self.seconds / FEWEST_STEPS) as f32;
         let range = [(start * SMALLEST_SHARE).min(most), most];
         let found = bisect::edge(start, range, |time_step| {
-            let Trial { verdict, steps } = classify(&with_step(time_step), self.seconds, self.most_steps, |_| ());
-            steps_made += steps;
-            match verdict {
+            let trial = classify(&with_step(time_step), self.seconds, self.most_steps, |_| ());
+            steps_made += trial.steps;
+            particles = particles.max(trial.particles);
+            match trial.verdict {
                 Verdict::Stable => {
                     any = true;
                     return Ok(true);
@@ -143,7 +139,7 @@ impl Limits {
             outcome: Outcome::Unstable,
             criterion,
             unstable_time_step,
-            particles: scene.particle_count(),
+            particles,
             ..run
         };
         match (found, &failed) {
@@ -163,7 +159,7 @@ impl Limits {
                 time_step: edge.stable,
                 unstable_time_step: edge.unstable,
                 courant: edge.stable.and_then(|step| courant(&with_step(step))),
-                particles: scene.particle_count(),
+                particles,
                 ..run
             },
             (Ok(_), Some((_, Verdict::Refused(why)))) => Run { detail: why.clone(), ..run },

@@ -119,7 +119,7 @@ fn run(base: &Scene, point: (f32, f32), seconds: f64, most_steps: u64) -> (Run, 
     scene.time_step = time_step;
     let every = (seconds / f64::from(time_step) / MOST_POINTS as f64).ceil().max(1.0) as u64;
     let mut series = Vec::new();
-    let Trial { verdict, steps } = classify(&scene, seconds, most_steps, |solver| {
+    let Trial { verdict, steps, .. } = classify(&scene, seconds, most_steps, |solver| {
         if solver.steps().is_multiple_of(every) {
             series.push([solver.time(), error(&scene, solver)]);
         }

@@ -1,5 +1,5 @@
 //! What becomes of a step: it counts, or it failed and says why.
-use crate::error::StepError;
+use crate::error::{Axis, StepError};
 use crate::layout::{NONE, QUANTITIES_OF_ID, Status};
 use crate::passes::context::Step;
 use crate::plan::arrays::Quantity;
@@ -17,7 +17,7 @@ pub fn verdict(status: &Status, places: u32) -> Result<(), StepError> {
     let step = u64::from(status.steps) + 1;
     if status.out_of_range != NONE {
         let (particle, axis) = (status.out_of_range / 4, status.out_of_range % 4);
-        return Err(StepError::OutOfRange { particle, axis, step });
+        return Err(StepError::OutOfRange { particle, axis: Axis::of(axis as usize), step });
     }
     if status.cell_full != NONE {
         let (cell, count) = (status.cell_full, status.cell_count);

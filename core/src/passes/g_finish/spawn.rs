@@ -4,12 +4,12 @@
 //! before this step. Who vanishes now is free from the next step on, when the other passes have forgotten what it was. Serial: one
 //! look at each id.
 use crate::arithmetic::real::vec3;
+use crate::derive::material::DORMANT;
 use crate::error::StepError;
 use crate::layout::f32x4;
 use crate::memory::State;
 use crate::passes::context::Step;
 use crate::passes::lanes::is_dormant;
-use crate::scene::DORMANT;
 use crate::terms::air::{is_thin, place_of_birth};
 use core::ops::Range;
 

@@ -1,19 +1,18 @@
 //! Where the particles of walls are: layers of the fluid's own lattice, outside of it.
-use super::lattice::{indices, whole};
-use super::{Dimension, FIRST_WALL, Face, Place, Scene, Wall, WallPressure, WallShape};
+use super::lattice::{indices, volume, whole};
+use crate::derive::material::FIRST_WALL;
+use crate::derive::scales::Scales;
+use crate::scene::{Face, InitialParticle, Scene, Wall, WallPressure, WallShape};
 
-impl Scene {
-    /// Layers of a wall: S1's two with mirrored pressure, S0's three as quasi-fluid; more where the support reaches further.
-    #[must_use]
-    pub fn wall_layers(&self) -> u32 {
-        let least = match self.model.wall_pressure {
-            WallPressure::Mirrored => 2,
-            WallPressure::QuasiFluid => 3,
-        };
-        let largest = self.model.variable_support.map_or(1.0, |range| f64::from(range.largest));
-        let reach = crate::guided::support_radius(self) * largest / f64::from(self.particle_spacing);
-        least.max((reach.min(64.0) + 0.5) as u32)
-    }
+/// Layers of a wall: S1's two with mirrored pressure, S0's three as quasi-fluid; more where the support reaches further.
+pub(crate) fn wall_layers(scene: &Scene, scales: &Scales) -> u32 {
+    let least = match scene.model.wall_pressure {
+        WallPressure::Mirrored => 2,
+        WallPressure::QuasiFluid => 3,
+    };
+    let largest = scene.model.variable_support.map_or(1.0, |range| f64::from(range.largest));
+    let reach = scales.support_radius * largest / f64::from(scene.particle_spacing);
+    least.max((reach.min(64.0) + 0.5) as u32)
 }
 
 /// A wall as boxes of lattice: low corner and counts of each.
@@ -24,10 +23,11 @@ struct Layers {
     hollow: Option<([u64; 3], [u64; 3])>,
 }
 
-fn layers_of(wall: &Wall, scene: &Scene) -> Layers {
+/// Of a wall that is so many layers thick.
+fn layers_of(wall: &Wall, scene: &Scene, layers: u32) -> Layers {
     let d = scene.dimension.count();
     let spacing = f64::from(scene.particle_spacing);
-    let layers = u64::from(scene.wall_layers());
+    let layers = u64::from(layers);
     let count = |low: &[f32; 3], high: &[f32; 3], axis: usize| {
         if axis < d { whole(high[axis] - low[axis], scene) } else { 1 }
     };
@@ -63,21 +63,20 @@ fn layers_of(wall: &Wall, scene: &Scene) -> Layers {
 
 impl Layers {
     fn particles(&self) -> u64 {
-        let all = |counts: [u64; 3]| counts.iter().fold(1u64, |all, &n| all.saturating_mul(n));
-        all(self.counts).saturating_sub(self.hollow.map_or(0, |(_, counts)| all(counts)))
+        volume(self.counts).saturating_sub(self.hollow.map_or(0, |(_, counts)| volume(counts)))
     }
 }
 
 /// Particles of a wall.
-pub(super) fn wall_count(wall: &Wall, scene: &Scene) -> u64 {
-    layers_of(wall, scene).particles()
+pub(crate) fn wall_count(wall: &Wall, scene: &Scene, layers: u32) -> u64 {
+    layers_of(wall, scene, layers).particles()
 }
 
 /// Every particle of the walls.
-pub(super) fn wall_places(scene: &Scene) -> impl Iterator<Item = Place> {
+pub(crate) fn wall_particles(scene: &Scene, layers: u32) -> impl Iterator<Item = InitialParticle> {
     let spacing = f64::from(scene.particle_spacing);
     scene.walls.iter().enumerate().flat_map(move |(i, wall)| {
-        let Layers { low, counts, hollow } = layers_of(wall, scene);
+        let Layers { low, counts, hollow } = layers_of(wall, scene, layers);
         let is_hollow = move |index: &[u64; 3]| {
             hollow
                 .is_some_and(|(offset, inside)| (0..3).all(|a| (offset[a]..offset[a] + inside[a]).contains(&index[a])))
@@ -87,15 +86,7 @@ pub(super) fn wall_places(scene: &Scene) -> impl Iterator<Item = Place> {
             for axis in 0..scene.dimension.count() {
                 position[axis] = (low[axis] + (index[axis] as f64 + 0.5) * spacing) as f32;
             }
-            Place::of_fluid(FIRST_WALL + i as u32, position, wall.velocity)
+            InitialParticle::of_fluid(FIRST_WALL + i as u32, position, wall.velocity)
         })
     })
-}
-
-/// In the plane there is no wall across z.
-pub(super) fn is_in_space(wall: &Wall, dimension: Dimension) -> bool {
-    match &wall.shape {
-        WallShape::Plane { face, .. } => face.axis() < dimension.count(),
-        WallShape::Box { .. } => true,
-    }
 }

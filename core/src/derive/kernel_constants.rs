@@ -15,6 +15,11 @@ fn of_dimension(d: usize) -> Model {
     Model { layers: u32::from(d == 3), ..Model::zeroed() }
 }
 
+/// `x^n` by multiplication: the last bit of a library's `pow` is its own affair.
+pub(super) fn power(x: f64, n: usize) -> f64 {
+    core::iter::repeat_n(x, n).product()
+}
+
 /// w(q), without the constant.
 #[must_use]
 pub fn value(kernel: Kernel, q: f64) -> f64 {
@@ -58,7 +63,6 @@ impl Kernel {
     /// The constant c that makes the kernel integrate to one in `d` = 1, 2 or 3 dimensions.
     #[must_use]
     pub fn normalisation(self, d: usize) -> f64 {
-        let power = |q: f64, n: usize| core::iter::repeat_n(q, n).product::<f64>();
         let whole = if self.has_value() {
             integral(&|q| value(self, q) * power(q, d - 1))
         } else {

@@ -1,31 +1,27 @@
 //! Sums over the lattice that particles start on: what a density sum gives there, and how stiffly the lattice answers.
-use crate::guided::{power, support_radius};
-use crate::kernel::{slope, value};
+use super::kernel_constants::{power, slope, value};
 use crate::scene::{Dimension, Scene};
 
 /// Most spacings that a support may span where a scene needs these sums; [`Scene::check`] refuses more.
 pub(crate) const MOST_SPACINGS: f64 = 32.0;
 
 /// `sum spacing^d W` over the lattice: 1, but for what the kernel and the lattice make of it.
-#[must_use]
-pub fn kernel_sum(scene: &Scene) -> f64 {
+pub(crate) fn kernel_sum(scene: &Scene, support: f64) -> f64 {
     let (d, kernel) = (scene.dimension.count(), scene.model.density_kernel);
-    let reach = support_radius(scene) / f64::from(scene.particle_spacing);
-    over_lattice(scene, &|q| value(kernel, q)) * kernel.normalisation(d) / power(reach, d)
+    let reach = support / f64::from(scene.particle_spacing);
+    over_lattice(scene, support, &|q| value(kernel, q)) * kernel.normalisation(d) / power(reach, d)
 }
 
 /// `V^2 sum |grad W|^2` over the lattice, 1/m2, V the volume of a particle.
-#[must_use]
-pub fn gradient_squares(scene: &Scene) -> f64 {
+pub(crate) fn gradient_squares(scene: &Scene, support: f64) -> f64 {
     let (d, kernel) = (scene.dimension.count(), scene.model.pressure_kernel);
-    let support = support_radius(scene);
     let reach = support / f64::from(scene.particle_spacing);
-    let sum = over_lattice(scene, &|q| if q > 0.0 { power(slope(kernel, d, q), 2) } else { 0.0 });
+    let sum = over_lattice(scene, support, &|q| if q > 0.0 { power(slope(kernel, d, q), 2) } else { 0.0 });
     sum * power(kernel.normalisation(d) / (power(reach, d) * support), 2)
 }
 
-fn over_lattice(scene: &Scene, f: &dyn Fn(f64) -> f64) -> f64 {
-    let reach = (support_radius(scene) / f64::from(scene.particle_spacing)).min(MOST_SPACINGS);
+fn over_lattice(scene: &Scene, support: f64, f: &dyn Fn(f64) -> f64) -> f64 {
+    let reach = (support / f64::from(scene.particle_spacing)).min(MOST_SPACINGS);
     let n = reach as i32 + 1;
     let layers = if scene.dimension == Dimension::Three { n } else { 0 };
     let mut sum = 0.0;

@@ -1,0 +1,73 @@
+//! How many of each a scene has: particles, nodes of its field, ends of springs. Counted so that no scene overflows them.
+use super::lattice_sums::MOST_SPACINGS;
+use super::sampling::lattice::{counts, volume};
+use super::sampling::walls::{wall_count, wall_layers};
+use super::scales::Scales;
+use crate::scene::{Block, Dimension, FieldLattice, Scene};
+
+/// Particles of a scene.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Counts {
+    /// Of its fluids.
+    pub(crate) fluid: u64,
+    /// Of its walls.
+    pub(crate) walls: u64,
+    /// That the coat of air can have.
+    pub(crate) air: u64,
+    /// Layers of a wall.
+    pub(crate) wall_layers: u32,
+}
+
+impl Counts {
+    /// Of any scene.
+    pub(crate) fn of(scene: &Scene, scales: &Scales) -> Counts {
+        let wall_layers = wall_layers(scene, scales);
+        let add = |all: u64, more: u64| all.saturating_add(more);
+        Counts {
+            fluid: scene.blocks.iter().map(|block| volume(counts(block, scene))).fold(0, add),
+            walls: scene.walls.iter().map(|wall| wall_count(wall, scene, wall_layers)).fold(0, add),
+            air: scene.air_capacity() as u64,
+            wall_layers,
+        }
+    }
+
+    /// In all.
+    pub(crate) fn all(&self) -> u64 {
+        self.fluid.saturating_add(self.walls).saturating_add(self.air)
+    }
+}
+
+/// Nodes of the host's field along x, y, z, and in all.
+pub(crate) fn field_counts(scene: &Scene) -> [u32; 4] {
+    let Some(FieldLattice { counts: [x, y, z], .. }) = scene.field else { return [0; 4] };
+    let z = if scene.dimension == Dimension::Two { 1 } else { z };
+    [x, y, z, x.saturating_mul(y).saturating_mul(z)]
+}
+
+/// Ends of springs that there is room for, two a spring.
+pub(crate) fn spring_ends(scene: &Scene, scales: &Scales) -> usize {
+    if let Some(capacity) = scene.elasticity.capacity {
+        return (capacity as usize).saturating_mul(2);
+    }
+    let elastic = |block: &&Block| scene.fluid_of(block.fluid).elastic_stiffness > 0.0;
+    let blocks = || scene.blocks.iter().filter(elastic);
+    let jitter = blocks().map(|block| block.jitter).fold(0.0, f32::max);
+    let particles = blocks().map(|block| volume(counts(block, scene))).fold(0, u64::saturating_add);
+    let particles = particles as usize;
+    particles.saturating_mul(springs_of_particle(scene, scales, jitter).min(particles.saturating_sub(1)))
+}
+
+/// Particles of a lattice, shaken by so much, that a particle inside of it can be joined to.
+pub(crate) fn springs_of_particle(scene: &Scene, scales: &Scales, jitter: f32) -> usize {
+    let d = scene.dimension.count();
+    // each of two particles may come nearer along each axis by half of the jitter
+    let shaken = f64::from(jitter) * libm::sqrt(d as f64);
+    let reach = f64::from(scene.elasticity.reach).min(scales.spacings(scene)) + shaken;
+    let far = reach.min(MOST_SPACINGS) as i64;
+    let layers = if d == 3 { far } else { 0 };
+    let within = |x: i64, y: i64, z: i64| (x * x + y * y + z * z) as f64 <= reach * reach * (1.0 + 1e-6);
+    let lines = (-layers..=layers).flat_map(|z| (-far..=far).map(move |y| (y, z)));
+    let all = lines.map(|(y, z)| (-far..=far).filter(|&x| within(x, y, z)).count()).sum::<usize>();
+    // but for itself
+    all.saturating_sub(1)
+}

@@ -1,0 +1,54 @@
+//! What follows for each fluid from what is asked of it: its sound, its stiffnesses, what its springs pull with.
+use super::scales::speed_of_sound;
+use crate::scene::{EquationOfState, FLUIDS, Fluid, NearPressure, Scene};
+use heapless::Vec;
+
+/// Near stiffness over c0^2 where a scene does not name it. Our choice: see the errata of S0 section 3.1.
+const DEFAULT_NEAR_SHARE: f64 = 0.1;
+
+/// The constants of a fluid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct FluidConstants {
+    /// How its pressure follows from its density: its own equation, or the model's.
+    pub equation_of_state: EquationOfState,
+    /// Speed of sound at rest, m/s.
+    pub speed_of_sound: f64,
+    /// `rho0 c0^2`, Pa.
+    pub bulk_modulus: f64,
+    /// Constant of its equation of state, Pa.
+    pub state_stiffness: f64,
+    /// Near pressure over density, m2/s2; 0 where near pressure is off.
+    pub near_stiffness: f64,
+    /// Half of the stiffness of its springs over the mass of its particles at rest, `k / (2 m)`, 1/s2.
+    pub spring_pull: f64,
+}
+
+impl FluidConstants {
+    fn of(scene: &Scene, particle_mass: f64, fluid: &Fluid) -> FluidConstants {
+        let equation_of_state = scene.equation_of(fluid);
+        let c0 = speed_of_sound(scene, fluid);
+        let bulk_modulus = f64::from(fluid.rest_density) * c0 * c0;
+        let mass = particle_mass * f64::from(fluid.rest_density) / f64::from(scene.fluid.rest_density);
+        FluidConstants {
+            equation_of_state,
+            speed_of_sound: c0,
+            bulk_modulus,
+            state_stiffness: match equation_of_state {
+                EquationOfState::Tait => fluid.stiffness.map_or(bulk_modulus / 7.0, f64::from),
+                _ => bulk_modulus,
+            },
+            near_stiffness: if scene.model.near_pressure == NearPressure::Off {
+                0.0
+            } else {
+                fluid.near_stiffness.map_or(DEFAULT_NEAR_SHARE * c0 * c0, f64::from)
+            },
+            spring_pull: f64::from(fluid.elastic_stiffness) / (2.0 * mass),
+        }
+    }
+
+    /// Of all fluids of a scene, by number; never empty.
+    pub(crate) fn of_all(scene: &Scene, particle_mass: f64) -> Vec<FluidConstants, FLUIDS> {
+        scene.fluids().map(|fluid| FluidConstants::of(scene, particle_mass, fluid)).collect()
+    }
+}

@@ -1,0 +1,37 @@
+//! The density and the pressure of a fluid that rests under its own weight.
+use super::fluid::FluidConstants;
+use crate::scene::{Block, EquationOfState, PressureForce, Scene};
+
+/// Density, less the rest density, over it, and pressure in Pa, that hold the weight of the fluid above (S3 section 3.1 per
+/// errata): `rho = rho0 (1 + rho0 g depth / B)^(1/7)` with Tait's equation. Fluids lie in layers, each from the highest to the
+/// lowest point of its blocks. `own` are the constants of the fluid of this number.
+pub(super) fn hydrostatic_deviation(scene: &Scene, fluid: u32, own: &FluidConstants, position: [f32; 3]) -> (f64, f32) {
+    let g = scene.gravity.map(f64::from);
+    // g . x grows downwards
+    let along = |x: [f64; 3]| -> f64 { g.iter().zip(x).map(|(g, x)| g * x).sum() };
+    let corner = |b: &Block, highest: bool| {
+        let far = |i: usize| (g[i] < 0.0) == highest;
+        along([0, 1, 2].map(|i| f64::from(if far(i) { b.corner[i] + b.size[i] } else { b.corner[i] })))
+    };
+    let place = along(position.map(f64::from));
+    let mut pressure = 0.0;
+    for (number, above) in (0..).zip(scene.fluids()) {
+        let blocks = || scene.blocks.iter().filter(|block| block.fluid == number);
+        let top = blocks().map(|b| corner(b, true)).fold(f64::INFINITY, f64::min);
+        let bottom = blocks().map(|b| corner(b, false)).fold(f64::NEG_INFINITY, f64::max);
+        // a fluid is as deep as it is asked for
+        let depth = if number == fluid { place } else { place.min(bottom) } - top;
+        // what surrounds the fluid carries its share
+        let weighed = f64::from(above.rest_density) - f64::from(scene.ambient_density);
+        pressure += weighed * depth.max(0.0);
+    }
+    // Mueller's form answers a weight with twice its pressure
+    if matches!(scene.model.pressure_force, PressureForce::Mueller | PressureForce::MuellerAdapted) {
+        pressure *= 2.0;
+    }
+    let deviation = match own.equation_of_state {
+        EquationOfState::Tait => libm::pow(1.0 + pressure / own.state_stiffness, 1.0 / 7.0) - 1.0,
+        _ => pressure / own.state_stiffness,
+    };
+    (deviation, pressure as f32)
+}

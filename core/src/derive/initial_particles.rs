@@ -1,0 +1,49 @@
+//! The particles of a scene at its start: cell centres of a lattice, block after block, then wall after wall, x fastest; last
+//! the air that is not there.
+use super::derived::Derived;
+use super::hydrostatic::hydrostatic_deviation;
+use super::material::{DORMANT, FIRST_BLOCK};
+use super::sampling::lattice::{counts, indices};
+use super::sampling::walls::wall_particles;
+use crate::scene::{Dimension, InitialParticle, Scene};
+
+/// Every particle of a scene and of what was derived of it, in order of its id: the fluid, then the walls, then air that is not
+/// there yet.
+pub(crate) fn initial_particles(scene: &Scene, derived: &Derived) -> impl Iterator<Item = InitialParticle> {
+    // a linear congruential generator (Numerical Recipes): any fixed sequence will do
+    let mut seed = 1u32;
+    let mut random = move || {
+        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        f64::from(seed >> 8) / f64::from(1u32 << 24) - 0.5
+    };
+    let spacing = f64::from(scene.particle_spacing);
+    let blocks = scene.blocks.iter().enumerate();
+    let fluid = blocks.flat_map(|(i, block)| indices(counts(block, scene)).map(move |index| (i, block, index)));
+    let fluid = fluid.map(move |(i, block, index)| {
+        let mut position = [0.0; 3];
+        for axis in 0..scene.dimension.count() {
+            let centre = f64::from(block.corner[axis]) + (index[axis] as f64 + 0.5) * spacing;
+            let shift = if block.jitter > 0.0 { random() * f64::from(block.jitter) * spacing } else { 0.0 };
+            position[axis] = (centre + shift) as f32;
+        }
+        let material = if block.dynamic_viscosity.is_some() { FIRST_BLOCK + i as u32 } else { block.fluid };
+        let mut particle = InitialParticle::of_fluid(material, position, block.velocity);
+        if scene.model.hydrostatic_start {
+            let own = derived.fluid(block.fluid);
+            let (deviation, pressure) = hydrostatic_deviation(scene, block.fluid, own, position);
+            let (mass, deviation) = ((1.0 + deviation) as f32, deviation as f32);
+            particle = InitialParticle { mass, deviation, pressure, ..particle };
+        }
+        particle
+    });
+    fluid.chain(wall_particles(scene, derived.wall_layers)).chain(air(scene))
+}
+
+/// Air that is not there: it takes no part in anything, so it may lie anywhere.
+fn air(scene: &Scene) -> impl Iterator<Item = InitialParticle> {
+    let mut corner = scene.blocks.first().map_or([0.0; 3], |block| block.corner);
+    if scene.dimension == Dimension::Two {
+        corner[2] = 0.0;
+    }
+    core::iter::repeat_n(InitialParticle::of_fluid(DORMANT, corner, [0.0; 3]), scene.air_capacity())
+}

@@ -1,0 +1,47 @@
+//! Numbers of materials: what stands in the fourth number of a particle's velocity, and names the row of its constants. First come
+//! the fluids, then the blocks with a viscosity of their own, the walls, and the air that is not there.
+use crate::layout::SPECIES;
+use crate::scene::{BLOCKS, FLUIDS, Scene, WALLS};
+
+/// First material of the blocks with a viscosity of their own; before it come the fluids.
+pub(crate) const FIRST_BLOCK: u32 = FLUIDS as u32;
+
+/// First material of the walls.
+pub(crate) const FIRST_WALL: u32 = FIRST_BLOCK + BLOCKS as u32;
+
+/// The material of a particle of air that is not there.
+pub(crate) const DORMANT: u32 = FIRST_WALL + WALLS as u32;
+
+/// What air that is not there has where a particle of a wall has a 1: whatever is more than 0 is held, and this can be told
+/// from a wall.
+pub(crate) const NOT_THERE: f32 = 2.0;
+
+const _: () = assert!(DORMANT as usize + 1 == SPECIES);
+
+/// What a particle is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Material {
+    /// A fluid, by number.
+    Fluid(u32),
+    /// A wall, by number.
+    Wall(u32),
+    /// Air that is not there.
+    Dormant,
+}
+
+/// What a material's number means in a scene, if anything: of a block with a viscosity of its own its fluid.
+#[must_use]
+pub fn material_of(number: u32, scene: &Scene) -> Option<Material> {
+    match number {
+        DORMANT => scene.air.map(|_| Material::Dormant),
+        FIRST_WALL.. => {
+            let wall = number - FIRST_WALL;
+            scene.walls.get(wall as usize).map(|_| Material::Wall(wall))
+        }
+        FIRST_BLOCK.. => {
+            let block = scene.blocks.get((number - FIRST_BLOCK) as usize)?;
+            block.dynamic_viscosity.map(|_| Material::Fluid(block.fluid))
+        }
+        fluid => scene.fluids().nth(fluid as usize).map(|_| Material::Fluid(fluid)),
+    }
+}

@@ -1,0 +1,65 @@
+//! What limits a time step: how far things may come in one.
+use super::fluid::FluidConstants;
+use super::scales::Scales;
+use crate::scene::{Adaptive, Block, EquationOfState, Fluid, Scene, Viscosity};
+
+/// Largest kinematic viscosity of a scene, m2/s: of a pair the mean viscosity, or that of the wall, over the smaller rest density,
+/// since the lighter of two is moved the more. Of the artificial viscosity that of Monaghan 1992, `alpha h c / (2 (d + 2))` with the
+/// support for h; exchanges, which take no time step, have none.
+pub(super) fn kinematic_viscosity(scene: &Scene, scales: &Scales, fluids: &[FluidConstants]) -> f64 {
+    let largest = |all: &mut dyn Iterator<Item = f64>| all.fold(0.0, f64::max);
+    match scene.model.viscosity {
+        Viscosity::Exchange => 0.0,
+        Viscosity::Artificial => {
+            let sound = largest(&mut fluids.iter().map(|fluid| fluid.speed_of_sound));
+            let directions = 2.0 * (scene.dimension.count() as f64 + 2.0);
+            f64::from(scene.fluid.alpha) * scales.support_radius * sound / directions
+        }
+        _ => {
+            let of = |viscosity: f32, fluid: &Fluid| [viscosity, fluid.rest_density].map(f64::from);
+            let own = |block: &Block| Some(of(block.dynamic_viscosity?, scene.fluid_of(block.fluid)));
+            let fluids = || scene.fluids().map(|fluid| of(fluid.dynamic_viscosity, fluid));
+            let all = || fluids().chain(scene.blocks.iter().filter_map(own));
+            let pairs = all()
+                .flat_map(|[mu_a, rho_a]| all().map(move |[mu_b, rho_b]| 0.5 * (mu_a + mu_b) / f64::min(rho_a, rho_b)));
+            let lightest = scene.fluids().map(|fluid| f64::from(fluid.rest_density)).fold(f64::INFINITY, f64::min);
+            let walls = scene.walls.iter().filter_map(|wall| wall.dynamic_viscosity);
+            largest(&mut pairs.chain(walls.map(|viscosity| f64::from(viscosity) / lightest)))
+        }
+    }
+}
+
+/// How far what limits a time step may come in one.
+pub(super) struct StepLimits {
+    /// The fastest particle, m.
+    pub(super) speed: f32,
+    /// `C^2 H` of the criterion by acceleration, m.
+    pub(super) acceleration: f32,
+    /// Sound, m.
+    pub(super) sound: f32,
+    /// What viscosity allows, s.
+    pub(super) viscosity: f32,
+}
+
+impl StepLimits {
+    /// So far, and such a time, that nothing is limited.
+    const NO_LIMIT: f64 = 1e30;
+
+    /// Of a scene whose largest kinematic viscosity is `viscosity`.
+    pub(super) fn of(scene: &Scene, adaptive: &Adaptive, scales: &Scales, viscosity: f64) -> StepLimits {
+        let support = scales.support_radius;
+        let reach = |courant: Option<f32>| courant.map_or(StepLimits::NO_LIMIT, |courant| f64::from(courant) * support);
+        // sound that is iterated for limits nothing
+        let iterated = scene.model.equation_of_state == EquationOfState::PressureCorrection;
+        let by_viscosity = adaptive.viscosity.filter(|_| viscosity > 0.0);
+        let step =
+            by_viscosity.map_or(StepLimits::NO_LIMIT, |courant| f64::from(courant) * support * support / viscosity);
+        StepLimits {
+            speed: reach(adaptive.speed) as f32,
+            // C sqrt(H / a) is the root of C^2 H / a
+            acceleration: reach(adaptive.acceleration.map(|courant| courant * courant)) as f32,
+            sound: reach(adaptive.sound.filter(|_| !iterated)) as f32,
+            viscosity: step.min(StepLimits::NO_LIMIT) as f32,
+        }
+    }
+}

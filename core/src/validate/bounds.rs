@@ -1,0 +1,46 @@
+//! The refusals that many fields share.
+use crate::error::SceneError;
+use crate::scene::Scene;
+
+/// Most particles of a scene: an id shares a word with an axis or a quantity in an error report.
+pub(super) const MOST_PARTICLES: u64 = (1 << 30) - 1;
+
+pub(super) fn finite(field: &'static str, values: &[f32]) -> Result<(), SceneError> {
+    match values.iter().find(|v| !v.is_finite()) {
+        Some(&value) => Err(SceneError::NotFinite { field, value }),
+        None => Ok(()),
+    }
+}
+
+pub(super) fn positive(field: &'static str, value: f32) -> Result<(), SceneError> {
+    finite(field, &[value])?;
+    if value > 0.0 { Ok(()) } else { Err(SceneError::NotPositive { field, value }) }
+}
+
+pub(super) fn not_negative(field: &'static str, value: f32) -> Result<(), SceneError> {
+    finite(field, &[value])?;
+    if value >= 0.0 { Ok(()) } else { Err(SceneError::Negative { field, value }) }
+}
+
+pub(super) fn share(field: &'static str, value: f32) -> Result<(), SceneError> {
+    finite(field, &[value])?;
+    if (0.0..=1.0).contains(&value) { Ok(()) } else { Err(SceneError::NotAShare { field, value }) }
+}
+
+/// Refuses the number of a fluid that the scene has not.
+pub(super) fn known_fluid(scene: &Scene, field: &'static str, fluid: u32) -> Result<(), SceneError> {
+    let fluids = scene.fluids().count() as u32;
+    if fluid < fluids { Ok(()) } else { Err(SceneError::NoSuchFluid { field, fluid, fluids }) }
+}
+
+/// Refuses more particles than a status word can name.
+pub(crate) fn check_count(particles: u64) -> Result<(), SceneError> {
+    if particles > MOST_PARTICLES {
+        return Err(SceneError::TooManyParticles { particles, most: MOST_PARTICLES });
+    }
+    Ok(())
+}
+
+pub(super) fn not_together(choice: &'static str, other: &'static str, why: &'static str) -> SceneError {
+    SceneError::NotTogether { choice, other, why }
+}

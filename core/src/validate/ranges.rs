@@ -1,0 +1,124 @@
+//! What a number of a scene can be, one by one: finite, positive, within its bounds.
+use super::bounds::{MOST_PARTICLES, finite, known_fluid, not_negative, positive, share};
+use super::time::step_lengths;
+use crate::derive::counts::field_counts;
+use crate::derive::lattice_sums::MOST_SPACINGS;
+use crate::derive::scales::{Scales, average_neighbours};
+use crate::error::{Axis, SceneError};
+use crate::scene::{EquationOfState, Fluid, Scene};
+
+/// Most nodes of a host's field: 64 MiB.
+const MOST_NODES: u32 = 1 << 22;
+
+/// Name of a field of a fluid.
+macro_rules! field {
+    ($number:expr, $name:literal) => {
+        if $number == 0 { concat!("fluid.", $name) } else { concat!("other_fluids.", $name) }
+    };
+}
+pub(super) use field;
+
+/// The numbers that all lengths, times and masses follow from.
+pub(super) fn numbers(scene: &Scene) -> Result<(), SceneError> {
+    positive("particle_spacing", scene.particle_spacing)?;
+    neighbours("average_neighbours", scene.average_neighbours)?;
+    positive("time_step", scene.time_step)?;
+    step_lengths(scene)?;
+    finite("gravity", &scene.gravity)?;
+    surroundings(scene)?;
+    (0..).zip(scene.fluids()).try_for_each(fluid)
+}
+
+/// Refuses supports that reach too far for sums over the lattice, where the scene needs them.
+pub(super) fn reach(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
+    let sums = scene.model.calibrated_mass || scene.model.equation_of_state == EquationOfState::PressureCorrection;
+    let elastic = scene.fluids().any(|fluid| fluid.elastic_stiffness > 0.0);
+    if (sums || elastic || !scene.walls.is_empty()) && scales.spacings(scene) > MOST_SPACINGS {
+        return Err(SceneError::OutOfScale { field: "average_neighbours", value: average_neighbours(scene) });
+    }
+    Ok(())
+}
+
+fn surroundings(scene: &Scene) -> Result<(), SceneError> {
+    not_negative("ambient_density", scene.ambient_density)?;
+    if let Some(wind) = &scene.wind {
+        finite("wind.velocity", &wind.velocity)?;
+        not_negative("wind.drag", wind.drag)?;
+    }
+    if let Some(field) = &scene.field {
+        finite("field.low", &field.low)?;
+        positive("field.spacing", field.spacing)?;
+        finite("field.spacing", &[1.0 / field.spacing])?;
+        for (axis, &nodes) in field.counts.iter().enumerate().take(scene.dimension.count()) {
+            if nodes < 2 {
+                return Err(SceneError::TooFewNodes { axis: Axis::of(axis), nodes });
+            }
+        }
+        let nodes = field_counts(scene)[3];
+        if nodes > MOST_NODES {
+            let (value, least, most) =
+                (nodes as f32, 2u32.pow(scene.dimension.count() as u32) as f32, MOST_NODES as f32);
+            return Err(SceneError::OutOfBounds { field: "field.counts (multiplied)", value, least, most });
+        }
+    }
+    Ok(())
+}
+
+pub(super) fn surface(scene: &Scene) -> Result<(), SceneError> {
+    positive("model.surface_threshold", scene.model.surface_threshold)?;
+    let Some(air) = &scene.air else { return Ok(()) };
+    known_fluid(scene, "air.fluid", air.fluid)?;
+    positive("air.capacity", air.capacity as f32)?;
+    positive("air.threshold", air.threshold)?;
+    share("air.minimum_density", air.minimum_density)
+}
+
+pub(super) fn elasticity(scene: &Scene) -> Result<(), SceneError> {
+    let elasticity = &scene.elasticity;
+    positive("elasticity.reach", elasticity.reach)?;
+    if let Some(plasticity) = elasticity.plasticity {
+        positive("elasticity.plasticity.rate", plasticity.rate)?;
+        not_negative("elasticity.plasticity.yield_strain", plasticity.yield_strain)?;
+        // a length that gave way by more than all of the strain would turn round
+        let most = 1.0 / scene.longest_step();
+        if plasticity.rate > most {
+            let (field, value) = ("elasticity.plasticity.rate", plasticity.rate);
+            return Err(SceneError::OutOfBounds { field, value, least: 0.0, most });
+        }
+    }
+    match elasticity.break_at {
+        Some(stretch) => positive("elasticity.break_at", stretch),
+        None => Ok(()),
+    }
+}
+
+fn fluid((number, fluid): (u32, &Fluid)) -> Result<(), SceneError> {
+    positive(field!(number, "rest_density"), fluid.rest_density)?;
+    positive(field!(number, "speed_of_sound"), fluid.speed_of_sound)?;
+    if let Some(own) = fluid.average_neighbours {
+        neighbours(field!(number, "average_neighbours"), own)?;
+    }
+    if let Some(stiffness) = fluid.stiffness {
+        positive(field!(number, "stiffness"), stiffness)?;
+    }
+    not_negative(field!(number, "dynamic_viscosity"), fluid.dynamic_viscosity)?;
+    not_negative(field!(number, "surface_tension"), fluid.surface_tension)?;
+    not_negative(field!(number, "elastic_stiffness"), fluid.elastic_stiffness)?;
+    not_negative(field!(number, "alpha"), fluid.alpha)?;
+    not_negative(field!(number, "beta"), fluid.beta)?;
+    share(field!(number, "velocity_exchange"), fluid.velocity_exchange)?;
+    share(field!(number, "radial_exchange"), fluid.radial_exchange)?;
+    share(field!(number, "xsph"), fluid.xsph)?;
+    not_negative(field!(number, "near_stiffness"), fluid.near_stiffness.unwrap_or(0.0))?;
+    share(field!(number, "heat_gain"), fluid.heat_gain)?;
+    not_negative(field!(number, "thermal_energy"), fluid.thermal_energy)?;
+    fluid.colour.iter().flatten().try_for_each(|&colour| share(field!(number, "colour"), colour))
+}
+
+/// Refuses supports of hardly anything, and of more particles than there can be: their constants would be no numbers, and the
+/// fault would seem to be another's.
+fn neighbours(field: &'static str, value: f32) -> Result<(), SceneError> {
+    positive(field, value)?;
+    let (least, most) = (0.001, MOST_PARTICLES as f32);
+    if (least..=most).contains(&value) { Ok(()) } else { Err(SceneError::OutOfBounds { field, value, least, most }) }
+}

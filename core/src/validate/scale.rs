@@ -1,0 +1,45 @@
+//! What follows from the numbers of a scene must be a number too, one that an f32 holds.
+use super::ranges::field;
+use crate::derive::Derived;
+use crate::error::SceneError;
+use crate::scene::Scene;
+
+/// Refuses what follows where no f32 holds it, by the field that it follows from.
+pub(super) fn check(scene: &Scene, derived: &Derived) -> Result<(), SceneError> {
+    let p = &derived.parameters;
+    let scale = |field, value, derived: &[f32]| {
+        let fine = derived.iter().all(|d| d.is_finite() && *d > 0.0);
+        if fine { Ok(()) } else { Err(SceneError::OutOfScale { field, value }) }
+    };
+    for (number, (fluid, constants)) in scene.fluids().zip(&derived.fluids).enumerate() {
+        let [state, near, ..] = p.states[number];
+        let [thinning, offset, compressibility, _] = p.corrections[number];
+        let correction = thinning * scene.time_step * scene.time_step + offset;
+        scale(field!(number, "speed_of_sound"), fluid.speed_of_sound, &[state, compressibility])?;
+        if !near.is_finite() || (near == 0.0 && constants.near_stiffness > 0.0) {
+            let (field, value) = match fluid.near_stiffness {
+                Some(stiffness) => (field!(number, "near_stiffness"), stiffness),
+                None => (field!(number, "speed_of_sound"), fluid.speed_of_sound),
+            };
+            return Err(SceneError::OutOfScale { field, value });
+        }
+        scale("time_step", scene.time_step, &[correction, 1.0 / correction])?;
+        scale(field!(number, "rest_density"), fluid.rest_density, &[p.species[number][2]])?;
+        if fluid.elastic_stiffness > 0.0 {
+            let pull = constants.spring_pull as f32;
+            scale(field!(number, "elastic_stiffness"), fluid.elastic_stiffness, &[pull])?;
+        }
+    }
+    scale("time_step", scene.time_step, &[p.inverse_time_step])?;
+    scale("fluid.rest_density", scene.fluid.rest_density, &[p.particle_mass])?;
+    let of_length = [
+        p.density_constant,
+        p.inverse_cell[0],
+        p.inverse_support_squared,
+        p.continuity_constant,
+        p.pressure_constant,
+        p.near_constant,
+        p.viscosity_laplacian_constant,
+    ];
+    scale("particle_spacing", scene.particle_spacing, &of_length)
+}

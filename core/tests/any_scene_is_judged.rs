@@ -1,0 +1,92 @@
+//! Promise: any scene, whatever numbers stand in it, is refused by name or accepted at once, and never panics; what was accepted
+//! says how much memory it needs. A call with the wrong number of entries says so.
+use millpond_core::scene::{
+    Air, Block, Container, Dimension, Elasticity, FieldLattice, Fluid, Grid, Periodic, Scene, SupportRange, Wall,
+    WallShape,
+};
+use millpond_core::{Axis, Plan, Requirements, SceneError, Solver, StepError, Storage};
+
+/// Numbers that nobody should ask for.
+const HOSTILE: [f32; 10] = [f32::NAN, f32::INFINITY, f32::MIN, f32::MAX, -1.0, 0.0, 1e-45, 1e-38, 1e9, 1e30];
+
+type Change = fn(&mut Scene, f32);
+
+/// Every number that a length, a count or a loop follows from.
+const CHANGES: [Change; 18] = [
+    |s, x| s.particle_spacing = x,
+    |s, x| s.average_neighbours = x,
+    |s, x| s.fluid.average_neighbours = Some(x),
+    |s, x| s.time_step = x,
+    |s, x| s.fluid.rest_density = x,
+    |s, x| s.fluid.speed_of_sound = x,
+    |s, x| s.fluid.elastic_stiffness = x,
+    |s, x| s.blocks.iter_mut().for_each(|block| block.size = [x; 3]),
+    |s, x| s.blocks.iter_mut().for_each(|block| block.corner = [x; 3]),
+    |s, x| s.blocks.iter_mut().for_each(|block| block.jitter = x),
+    |s, x| s.blocks.iter_mut().for_each(|block| block.fluid = x as u32),
+    |s, x| s.elasticity = Elasticity { reach: x, capacity: Some(x as u32), ..s.elasticity },
+    |s, x| s.periodic = Some(Periodic { low: [0.0; 3], high: [x; 3], axes: [true; 3] }),
+    |s, x| s.model.variable_support = Some(SupportRange { smallest: 1.0, largest: x }),
+    |s, x| s.field = Some(FieldLattice { low: [0.0; 3], spacing: 1.0, counts: [x as u32; 3] }),
+    |s, x| s.grid.cells = [x as u32; 3],
+    |s, x| s.air = Some(Air { fluid: 1, capacity: x as u32, threshold: 1.0, minimum_density: 0.5 }),
+    |s, x| {
+        let shape = WallShape::Box { low: [0.0; 3], high: [x; 3], open: [].into_iter().collect() };
+        s.walls = [Wall::still(shape)].into_iter().collect();
+    },
+];
+
+fn scene(dimension: Dimension) -> Scene {
+    let jelly = Fluid { elastic_stiffness: 10.0, ..Fluid::default() };
+    let block = Block { size: [0.3; 3], ..Block::default() };
+    let mut scene = Scene::of(dimension, 0.05, 0.001, jelly, block);
+    scene.other_fluids = [Fluid::default()].into_iter().collect();
+    scene.blocks = [block, block].into_iter().collect();
+    scene.container = Some(Container::closed([0.0; 3], [1.0; 3]));
+    scene.model.calibrated_mass = true;
+    scene.grid = Grid { cells: [8; 3], ..Grid::default() };
+    scene
+}
+
+/// The error's words, or the memory needed.
+fn judged(scene: &Scene) -> Result<usize, String> {
+    let checked = scene.check().map_err(|error| error.to_string())?;
+    let everything = Requirements::by_plan(&checked, &Plan::everything(&checked)).bytes();
+    Ok(everything.max(Requirements::of(&checked).bytes()))
+}
+
+#[test]
+fn with_any_numbers_in_it() {
+    let (mut refused, mut accepted) = (0, 0);
+    for dimension in [Dimension::Two, Dimension::Three] {
+        for (first, second) in CHANGES.iter().flat_map(|first| CHANGES.iter().map(move |second| (first, second))) {
+            for x in HOSTILE {
+                let mut scene = scene(dimension);
+                first(&mut scene, x);
+                second(&mut scene, x);
+                match judged(&scene) {
+                    Ok(bytes) => accepted += usize::from(bytes > 0),
+                    Err(words) => refused += usize::from(words.len() > 10),
+                }
+            }
+        }
+    }
+    assert_eq!(refused + accepted, 2 * CHANGES.len() * CHANGES.len() * HOSTILE.len());
+    assert!(accepted > 0 && refused > accepted, "{accepted} accepted, {refused} refused");
+}
+
+#[test]
+fn errors_say_what_is_wrong() {
+    let scene = scene(Dimension::Two);
+    let scene = scene.check().expect("a scene");
+    let mut storage: Box<Storage<100, 64>> = Storage::boxed();
+    let nobody = Solver::with_particles(&scene, Plan::of(&scene), 2, [], storage.lend()).err();
+    // springs come with memory of their own, which a bare storage has not
+    assert!(matches!(nobody, Some(SceneError::CapacityExceeded { .. })), "{nobody:?}");
+    let error = SceneError::WrongLength { call: "set_field", what: "nodes", given: 5, expected: 8 };
+    assert_eq!(error.to_string(), "`set_field` got 5 nodes, expected 8");
+    let error = SceneError::EmptyBlock { block: 0, axis: Axis::Z, size: 0.1 };
+    assert_eq!(error.to_string(), "blocks[0].size is 0.1 m along z: less than half a particle_spacing");
+    let error = StepError::OutOfRange { particle: 3, axis: Axis::Y, step: 7 };
+    assert_eq!(error.to_string(), "step 7: particle 3 went beyond the grid's range along y");
+}
