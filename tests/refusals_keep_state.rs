@@ -4,7 +4,7 @@ use millpond::snapshot::Snapshot;
 use millpond_core::Quantity;
 use millpond_core::scene::{GridStructure, InitialParticle, Scene};
 use millpond_core::{Axis, Memory, Plan, Requirements, SceneError, Serial, Simd, Solver, StepError, Storage};
-use millpond_gpu::{Gpu, GpuError, GpuSolver, Mode};
+use millpond_gpu::{FloatControls, Gpu, GpuError, GpuSolver, Mode};
 
 mod support;
 use support::{checked, device, heap_for};
@@ -230,6 +230,6 @@ fn plans_and_places_that_do_not_fit() {
 fn a_device_and_a_shader_that_are_not_there() {
     let missing = Gpu::open(Some("no such adapter"), Mode::Plain);
     assert!(matches!(missing, Err(GpuError::NoAdapter { wanted: Some(name) }) if name == "no such adapter"));
-    let refused = millpond_gpu::strict::spirv("fn f() -> u32 { return 1.0; }");
+    let refused = millpond_gpu::strict::spirv("fn f() -> u32 { return 1.0; }", FloatControls::default());
     assert!(matches!(refused, Err(GpuError::Shader(message)) if message.contains("return")));
 }

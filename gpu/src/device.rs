@@ -1,5 +1,6 @@
 //! A device, and how programs reach its driver.
 use crate::error::GpuError;
+use crate::float_controls::FloatControls;
 use crate::program::Words;
 use crate::strict::spirv;
 use std::borrow::Cow;
@@ -21,6 +22,7 @@ pub struct Gpu {
     pub(crate) info: wgpu::AdapterInfo,
     pub(crate) mode: Mode,
     pub(crate) words: Words,
+    pub(crate) float_controls: FloatControls,
 }
 
 impl Gpu {
@@ -55,6 +57,12 @@ impl Gpu {
         self.words
     }
 
+    /// What its driver promises about floats if asked, as strict mode asks it.
+    #[must_use]
+    pub fn float_controls(&self) -> FloatControls {
+        self.float_controls
+    }
+
     /// A shader module of a complete program whose entry point is `main`.
     pub(crate) fn module(&self, label: &str, wgsl: &str, workgroup: u32) -> Result<wgpu::ShaderModule, GpuError> {
         match self.mode {
@@ -62,7 +70,7 @@ impl Gpu {
                 label: Some(label),
                 source: wgpu::ShaderSource::Wgsl(wgsl.into()),
             })),
-            Mode::Strict => Ok(self.pass_through(label, spirv(wgsl)?, workgroup)),
+            Mode::Strict => Ok(self.pass_through(label, spirv(wgsl, self.float_controls)?, workgroup)),
         }
     }
 
@@ -75,7 +83,8 @@ impl Gpu {
             spirv: Some(Cow::Owned(words)),
             ..Default::default()
         };
-        // SAFETY: the words are naga's, of a validated module and with its bounds checks; only decorations were added.
+        // SAFETY: the words are naga's, of a validated module and with its bounds checks; only decorations were added, and
+        // float controls that this device offers.
         unsafe { self.device.create_shader_module_passthrough(descriptor) }
     }
 }

@@ -1,4 +1,5 @@
 //! Every way in which the GPU backend can refuse.
+use crate::float_controls::FloatControls;
 use millpond_core::{SceneError, StepError};
 
 /// Why there is no device, no pipeline or no step.
@@ -28,7 +29,10 @@ pub enum GpuError {
         backend: String,
     },
     /// The device computes a word of the terms otherwise than core, even in strict mode.
-    #[error("adapter {adapter} computes `{word}` with other bits than the CPU ({differing} of {tried} inputs)")]
+    #[error(
+        "adapter {adapter} computes `{word}` with other bits than the CPU ({differing} of {tried} inputs); {}",
+        .controls.lack()
+    )]
     LooseArithmetic {
         /// Its name.
         adapter: String,
@@ -38,6 +42,8 @@ pub enum GpuError {
         differing: usize,
         /// Inputs tried.
         tried: usize,
+        /// What its driver was asked for, since it offers it.
+        controls: FloatControls,
     },
     /// A shader was refused: a defect of this crate.
     #[error("shader refused: {0}")]
@@ -61,4 +67,26 @@ pub enum GpuError {
     /// What a host gave does not fit the scene.
     #[error(transparent)]
     Scene(#[from] SceneError),
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_refusal_names_what_the_driver_lacks() {
+        let refusal = |controls| {
+            let (adapter, word) = ("Pond".into(), "flush");
+            GpuError::LooseArithmetic { adapter, word, differing: 3, tried: 8, controls }.to_string()
+        };
+        let start = "adapter Pond computes `flush` with other bits than the CPU (3 of 8 inputs); the driver ";
+        let all = FloatControls { denorm_preserve: true, rounding_rte: true, signed_zero_inf_nan_preserve: true };
+        let lacking = "does not offer DenormPreserve for 32-bit floats, so it may flush denormals";
+        assert_eq!(refusal(FloatControls { denorm_preserve: false, ..all }), format!("{start}{lacking}"));
+        let nor = "nor RoundingModeRTE, so it may round otherwise than to nearest; nor SignedZeroInfNanPreserve, so it may \
+                   ignore the sign of zero, infinities and NaN";
+        assert_eq!(refusal(FloatControls::default()), format!("{start}{lacking}; {nor}"));
+        let none = "was asked for every float control of 32 bits and offers them all";
+        assert_eq!(refusal(all), format!("{start}{none}"));
+    }
 }

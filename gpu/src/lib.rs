@@ -9,6 +9,7 @@
 pub mod bindings;
 pub mod device;
 pub mod error;
+pub mod float_controls;
 pub mod program;
 pub mod solver;
 pub mod strict;
@@ -21,5 +22,6 @@ mod pipelines;
 
 pub use device::{Gpu, Mode};
 pub use error::GpuError;
+pub use float_controls::FloatControls;
 pub use solver::{GpuSolver, Readback};
 pub use wgpu;

@@ -1,6 +1,7 @@
 //! Choosing a device. Any adapter will do, a software one too; for strict mode it must pass the words' test.
 use crate::device::{Gpu, Mode};
 use crate::error::GpuError;
+use crate::float_controls::FloatControls;
 use crate::program::Words;
 use crate::words::{WordReport, try_words};
 
@@ -44,7 +45,8 @@ impl Gpu {
         if mode == Mode::Strict && (info.backend != wgpu::Backend::Vulkan || !strict) {
             return Err(no_strict_mode(&info));
         }
-        let mut gpu = Gpu { device, queue, info, mode, words: Words::Native };
+        let float_controls = FloatControls::offered_by(&device);
+        let mut gpu = Gpu { device, queue, info, mode, words: Words::Native, float_controls };
         if mode == Mode::Strict && gpu.prove_words().is_err() {
             gpu.words = Words::Exact;
             gpu.prove_words()?;
@@ -78,7 +80,8 @@ impl Gpu {
         match reports.into_iter().find(|report| report.differing > 0) {
             None => Ok(()),
             Some(WordReport { word, tried, differing }) => {
-                Err(GpuError::LooseArithmetic { adapter: self.name(), word, differing, tried })
+                let controls = self.float_controls;
+                Err(GpuError::LooseArithmetic { adapter: self.name(), word, differing, tried, controls })
             }
         }
     }

@@ -58,7 +58,7 @@ impl Random {
 pub fn device(test: &str, mode: Mode) -> Option<Gpu> {
     match Gpu::open(None, mode) {
         Ok(gpu) => {
-            println!("{test}: on {}", gpu.name());
+            println!("{test}: on {}, which offers {:?}", gpu.name(), gpu.float_controls());
             Some(gpu)
         }
         Err(error) => {
