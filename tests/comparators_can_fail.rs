@@ -9,7 +9,8 @@ mod support;
 
 /// A moving fluid.
 fn state() -> Snapshot {
-    let scene = support::scaled("dam-break", 300).file.scene;
+    let mut scene = support::scaled("dam-break", 300).file.scene;
+    (scene.model.thermal_energy, scene.model.surface_normals, scene.fluid.xsph) = (true, true, 0.2);
     let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
     let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
     (0..20).for_each(|_| solver.step(&Serial).expect("a step"));

@@ -4,7 +4,7 @@ use crate::clock::{Clock, set_step};
 use crate::derive::{Material, material_of};
 use crate::error::{SceneError, StepError};
 use crate::executor::Serial;
-use crate::layout::Model;
+use crate::layout::{Model, f32x4};
 use crate::plan::arrays::Quantity;
 use crate::scene::{Dimension, InitialParticle};
 use crate::solver::Solver;
@@ -38,10 +38,13 @@ impl Solver<'_> {
             let found = self.attempt_evaluation(&Serial, &back, &p.backwards()).is_ok();
             let [a, b] = &mut self.memory.states;
             let (now, before) = if self.current == 0 { (a, b) } else { (b, a) };
-            now.history.copy_from_slice(now.acceleration);
+            let without_w = |[x, y, z, _]: f32x4| [x, y, z, 0.0];
+            for (history, acceleration) in now.history.iter_mut().zip(&*now.acceleration) {
+                *history = without_w(*acceleration);
+            }
             if found {
                 for (slot, &id) in before.id.iter().enumerate() {
-                    now.history[now.slot_of_id[id as usize] as usize] = before.acceleration[slot];
+                    now.history[now.slot_of_id[id as usize] as usize] = without_w(before.acceleration[slot]);
                 }
             }
         } else if has_history(&m) {
