@@ -1,7 +1,7 @@
 //! Promise: every shared struct has the same bytes in WGSL as in Rust, and no pass binds more than wgpu's default allows.
 //!
 //! naga reads the complete program of every pass; no device is needed.
-use millpond_core::layout::{Model, Parameters, Status, f32x4, u32x4};
+use millpond_core::layout::{Materials, Model, Parameters, Status, StepUniform, f32x4, u32x4};
 use millpond_core::{Pass, Plan};
 use millpond_gpu::program::{Words, program};
 use millpond_gpu::strict::validate;
@@ -33,6 +33,8 @@ fn every_shared_struct_has_the_same_bytes() {
     let module = module(Pass::Commit);
     same(&module, "Status", Status::FIELDS, size_of::<Status>());
     same(&module, "Parameters", Parameters::FIELDS, size_of::<Parameters>());
+    same(&module, "StepUniform", StepUniform::FIELDS, size_of::<StepUniform>());
+    same(&module, "Materials", Materials::FIELDS, size_of::<Materials>());
     same(&module, "Model", Model::FIELDS, size_of::<Model>());
     let (head, _) = members(&module, "Head");
     assert_eq!(head[1], ("counter".to_owned(), size_of::<Status>(), size_of::<u32>()), "counters follow the status");

@@ -1,6 +1,6 @@
 //! The clock of a fluid: the next time step, and how much time has passed. Its formulas are terms, so that a device's clock shows
 //! the same bits.
-use crate::layout::{Model, Parameters, Status};
+use crate::layout::{Model, Parameters, Status, StepUniform};
 use crate::passes::context::Maxima;
 use crate::terms::time_step::{
     clock_after, clock_lost, is_overlong, step_half, step_inverse, step_limited, step_wanted,
@@ -36,55 +36,56 @@ pub(crate) struct Clock {
 
 impl Clock {
     /// Before the first step: as long as the scene says, or as short as its state asks for.
-    pub(crate) fn start(m: &Model, p: &mut Parameters, maxima: Maxima) -> Clock {
+    pub(crate) fn start(m: &Model, p: &Parameters, u: &mut StepUniform, maxima: Maxima) -> Clock {
         if m.adaptive == 0 {
-            return Clock { last: p.time_step, wanted: p.time_step, ..Clock::default() };
+            return Clock { last: u.time_step, wanted: u.time_step, ..Clock::default() };
         }
         let wanted = wanted(p, maxima);
         let limits = Parameters { time_step_growth: 1.0, ..*p };
-        set_step(p, step_limited::<f32>(&limits, wanted, p.time_step));
-        Clock { last: p.time_step, wanted, ..Clock::default() }
+        set_step(u, step_limited::<f32>(&limits, wanted, u.time_step));
+        Clock { last: u.time_step, wanted, ..Clock::default() }
     }
 
-    /// After a step by these parameters: sets those of the next one. False where the step is to be made again by them.
-    pub(crate) fn after(&mut self, m: &Model, p: &mut Parameters, maxima: Maxima) -> bool {
-        let step = p.time_step;
+    /// After a step by these numbers: sets those of the next one. False where the step is to be made again by them.
+    pub(crate) fn after(&mut self, m: &Model, p: &Parameters, u: &mut StepUniform, maxima: Maxima) -> bool {
+        let step = u.time_step;
         let mut wanted = step;
         if m.adaptive == 1 {
             wanted = self::wanted(p, maxima);
             let again = is_overlong::<f32>(p, wanted, step) > 0.0;
             self.redone = self.redone.wrapping_add(u32::from(again));
             self.held = self.held.wrapping_add(u32::from(!again && wanted < p.smallest_time_step));
-            set_step(p, step_limited::<f32>(p, wanted, step));
+            set_step(u, step_limited::<f32>(p, wanted, step));
             if again {
                 return false;
             }
         }
         (self.last, self.wanted) = (step, wanted);
+        u.step = u.step.wrapping_add(1);
         let time = clock_after::<f32>(self.time, step);
         (self.time, self.lost) = (time, clock_lost::<f32>(self.time, self.lost, step, time));
         true
     }
 
-    pub(crate) fn report(&self, p: &Parameters) -> TimeReport {
+    pub(crate) fn report(&self, u: &StepUniform) -> TimeReport {
         TimeReport {
             time: f64::from(self.time) + f64::from(self.lost),
             time_step: self.last,
             wanted: self.wanted,
-            next: p.time_step,
+            next: u.time_step,
             redone: self.redone,
             held: self.held,
         }
     }
 
     /// Writes what a device goes on from.
-    pub(crate) fn fill(&self, p: &Parameters, status: &mut Status) {
+    pub(crate) fn fill(&self, u: &StepUniform, status: &mut Status) {
         (status.clock, status.clock_lost) = (self.time, self.lost);
         (status.last_time_step, status.last_wanted) = (self.last, self.wanted);
         (status.redone, status.held) = (self.redone, self.held);
-        (status.time_step, status.half_time_step) = (p.time_step, p.half_time_step);
-        status.first_time_step = p.time_step;
-        status.inverse_time_step = p.inverse_time_step;
+        (status.time_step, status.half_time_step) = (u.time_step, u.half_time_step);
+        status.first_time_step = u.time_step;
+        status.inverse_time_step = u.inverse_time_step;
     }
 }
 
@@ -107,7 +108,39 @@ fn wanted(p: &Parameters, maxima: Maxima) -> f32 {
     step_wanted::<f32>(p, maxima.speed2, maxima.acceleration2, maxima.sound)
 }
 
+/// Time by steps that are all alike: exact, where a clock that adds them up is not.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SteadyTime {
+    /// Steps that were made when the time step was last changed.
+    pub since: u64,
+    /// Simulated time then, s.
+    pub at: f64,
+}
+
+impl SteadyTime {
+    /// Time after so many steps, the last ones of this length, s.
+    #[must_use]
+    pub fn after(&self, steps: u64, time_step: f32) -> f64 {
+        self.at + steps.saturating_sub(self.since) as f64 * f64::from(time_step)
+    }
+
+    /// From here on with another time step; the last ones were of this length.
+    #[must_use]
+    pub fn changed(&self, steps: u64, time_step: f32) -> SteadyTime {
+        SteadyTime { since: steps, at: self.after(steps, time_step) }
+    }
+}
+
+impl StepUniform {
+    /// The same numbers with another time step, s.
+    #[must_use]
+    pub fn with_time_step(self, step: f32) -> StepUniform {
+        let (half_time_step, inverse_time_step) = (step_half::<f32>(step), step_inverse::<f32>(step));
+        StepUniform { time_step: step, half_time_step, inverse_time_step, ..self }
+    }
+}
+
 /// Writes a time step where formulas look for it.
-pub(crate) fn set_step(p: &mut Parameters, step: f32) {
-    (p.time_step, p.half_time_step, p.inverse_time_step) = (step, step_half::<f32>(step), step_inverse::<f32>(step));
+pub(crate) fn set_step(u: &mut StepUniform, step: f32) {
+    *u = u.with_time_step(step);
 }

@@ -173,6 +173,13 @@ pub enum SceneError {
         /// Why not.
         why: &'static str,
     },
+    /// A term that the plan left out, so that its coefficient cannot be changed.
+    LeftOut {
+        /// The field.
+        field: &'static str,
+        /// What [`Scene::live`](crate::scene::Scene::live) must list to keep the term.
+        live: &'static str,
+    },
     /// A pressure correction by the letter, whose iteration grows instead of settling.
     CannotConverge {
         /// How far sound travels in a step, in particle spacings.
@@ -277,6 +284,13 @@ pub enum StepError {
         /// The step that was tried, counted from 1.
         step: u64,
     },
+    /// A step was undone and made again, shorter, so often that there seems to be no step that is short enough.
+    NoTimeStep {
+        /// How often.
+        attempts: u32,
+        /// The step that was tried, counted from 1.
+        step: u64,
+    },
     /// A quantity became NaN or infinite; most often the time step is too large.
     NotFinite {
         /// Its id.
@@ -328,6 +342,12 @@ impl fmt::Display for SceneError {
                 write!(f, "{field} is {fluid}, and the scene's {fluids} fluids are counted from 0")
             }
             SceneError::NotTogether { choice, other, why } => write!(f, "{choice} does not go with {other}: {why}"),
+            SceneError::LeftOut { field, live } => {
+                write!(
+                    f,
+                    "{field} cannot be changed, because the plan left its term out: list {live} in the scene's live"
+                )
+            }
             SceneError::CannotConverge { spacings, most } => {
                 write!(f, "time_step lets sound travel {spacings} spacings, and the literal pressure correction ")?;
                 write!(f, "converges up to {most}: use model.correction.iteration Relaxed, or smaller steps")
@@ -374,10 +394,31 @@ impl fmt::Display for StepError {
             StepError::CellFull { cell, count, capacity, step } => {
                 write!(f, "step {step}: cell {cell} has {count} particles and {capacity} places")
             }
+            StepError::NoTimeStep { attempts, step } => {
+                write!(
+                    f,
+                    "step {step} was made {attempts} times, each shorter than the one before, and is still too long: "
+                )?;
+                write!(f, "increase adaptive.redo_above or adaptive.smallest")
+            }
             StepError::NotFinite { particle, quantity, step } => {
                 write!(f, "step {step}: {quantity:?} of particle {particle} is not finite any more")
             }
         }
+    }
+}
+
+impl StepError {
+    /// The same error of step number `now`.
+    #[must_use]
+    pub fn at_step(mut self, now: u64) -> StepError {
+        match &mut self {
+            StepError::OutOfRange { step, .. }
+            | StepError::CellFull { step, .. }
+            | StepError::NoTimeStep { step, .. }
+            | StepError::NotFinite { step, .. } => *step = now,
+        }
+        self
     }
 }
 

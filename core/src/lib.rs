@@ -28,6 +28,7 @@ pub mod executor;
 pub mod grid;
 pub mod hash;
 pub mod layout;
+pub mod live;
 pub mod memory;
 mod particle;
 mod passes;
@@ -44,7 +45,7 @@ pub mod validate;
 pub use heapless;
 
 pub use arithmetic::level::Simd;
-pub use clock::TimeReport;
+pub use clock::{SteadyTime, TimeReport};
 pub use error::{Axis, SceneError, StepError};
 pub use executor::{Executor, Serial};
 #[cfg(feature = "alloc")]

@@ -1,6 +1,6 @@
 //! A particle, as a host sees it.
 use crate::derive::material::NOT_THERE;
-use crate::layout::{SPECIES, f32x4};
+use crate::layout::{MATERIALS, f32x4};
 use crate::solver::Solver;
 use glam::Vec3;
 
@@ -64,8 +64,8 @@ impl Solver<'_> {
     /// What the kind of the particle in a slot has of its own ([`Parameters::species`]).
     pub(crate) fn kind(&self, slot: usize) -> f32x4 {
         let kind = self.state().velocity[slot][3] as usize;
-        let known = if self.plan().model.species == 1 { kind.min(SPECIES - 1) } else { 0 };
-        self.parameters().species[known]
+        let known = if self.plan().model.species == 1 { kind.min(MATERIALS - 1) } else { 0 };
+        self.materials().species[known]
     }
 
     /// Does the particle in a slot belong to a wall, or is it air that is not there?

@@ -81,7 +81,7 @@ impl Solver<'_> {
         let speed2 = largest(&|slot| bounded_square(vec3::<f32>::splat(state.velocity[slot])));
         let acceleration2 = largest(&|slot| bounded_square(vec3::<f32>::splat(state.acceleration[slot])));
         let sound = largest(&|slot| {
-            let [.., sound, equation] = p.states[kind(state.velocity[slot][3])];
+            let [.., sound, equation] = self.materials().states[kind(state.velocity[slot][3])];
             bounded_sound::<f32>(m, state.density_pressure[slot][0], sound, equation)
         });
         let (dt, support) = (f64::from(time_step), f64::from(p.support));
@@ -89,7 +89,7 @@ impl Solver<'_> {
             speed: libm::sqrt(speed2) * dt / support,
             acceleration: dt * libm::sqrt(libm::sqrt(acceleration2) / support),
             sound: if m.corrects_pressure() { 0.0 } else { sound * dt / support },
-            viscosity: f64::from(p.kinematic_viscosity) * dt / (support * support),
+            viscosity: f64::from(self.constants.kinematic_viscosity) * dt / (support * support),
         }
     }
 
@@ -126,7 +126,7 @@ impl Solver<'_> {
         Energies {
             kinetic: sum(&|slot| 0.5 * dot(state.velocity[slot], state.velocity[slot])),
             internal: sum(&|slot| state.internal_energy.get(slot).map_or(0.0, |heat| f64::from(heat[0]))),
-            potential: sum(&|slot| -lift(slot) * dot(p.gravity, state.position[slot])),
+            potential: sum(&|slot| -lift(slot) * dot(self.constants.step.gravity, state.position[slot])),
             elastic: self.elastic_energy(),
         }
     }
@@ -190,9 +190,9 @@ impl Solver<'_> {
         let (m, p) = (self.plan().model, *self.parameters());
         let current = self.current_index();
         let state = &self.memory.states[current];
-        let scratch = &mut self.memory.scratch;
+        let (materials, scratch) = (&self.constants.materials, &mut self.memory.scratch);
         for ((cell, x), v) in scratch.cell.iter_mut().zip(state.position.iter()).zip(state.velocity.iter()) {
-            if m.air == 1 && is_dormant(&p, v[3]) {
+            if m.air == 1 && is_dormant(materials, v[3]) {
                 *cell = p.cells[3] - 1;
                 continue;
             }

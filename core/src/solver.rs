@@ -1,19 +1,22 @@
 //! The public face: a scene in lent memory, stepped.
 use crate::arithmetic::level::Simd;
-use crate::clock::{Clock, TimeReport};
+use crate::arithmetic::real::{div, vec3};
+use crate::clock::{Clock, SteadyTime, TimeReport, set_step};
 use crate::derive::kernel_tables::fill_tables;
 use crate::error::{SceneError, StepError};
 use crate::executor::Executor;
 use crate::hash::{full_state_hash, state_hash};
-use crate::layout::{Model, Parameters, Status, f32x4, u32x2};
+use crate::layout::{MOST_ATTEMPTS, Materials, Model, Parameters, Status, StepUniform, f32x4, u32x2};
+use crate::live::{Change, Constants, LiveScene};
 use crate::memory::{Arrays, Memory, Requirements, State};
 use crate::passes::context::{Found, Setup, Step};
 use crate::plan::Plan;
 use crate::plan::arrays::{Array, Class};
 use crate::plan::passes::Pass;
 use crate::plan::schedule::{Command, Schedule, evaluation};
-use crate::scene::{InitialParticle, Scene};
+use crate::scene::{InitialParticle, Scene, Wind};
 use crate::step;
+use crate::terms::integrate::history_rescaled;
 use crate::validate::{Checked, check_count};
 
 /// A fluid that can be stepped.
@@ -42,9 +45,9 @@ use crate::validate::{Checked, check_count};
 pub struct Solver<'m> {
     pub(crate) plan: Plan,
     schedule: Schedule,
-    pub(crate) parameters: Parameters,
-    /// The scene's time step, s.
-    pub(crate) first_step: f32,
+    live: LiveScene,
+    pub(crate) constants: Constants,
+    steady: SteadyTime,
     simd: Simd,
     pub(crate) clock: Clock,
     steps: u64,
@@ -96,13 +99,14 @@ impl<'m> Solver<'m> {
         let requirements = Requirements::by_plan(scene, &plan).for_particles(count);
         let memory = memory.carve(&requirements)?;
         let first_air = count.saturating_sub(scene.air_capacity()) as u32;
-        let parameters = Parameters { particle_count: count as u32, first_air, ..scene.derived().parameters };
+        let live = LiveScene::new(scene, plan.model, [count as u32, first_air]);
         let simd = Simd::detect();
         let mut solver = Solver {
             plan,
             schedule: plan.schedule(),
-            parameters,
-            first_step: scene.time_step,
+            constants: live.constants(scene.derived()),
+            live,
+            steady: SteadyTime::default(),
             simd,
             clock: Clock::default(),
             steps: 0,
@@ -143,15 +147,15 @@ impl<'m> Solver<'m> {
     /// As for [`Solver::step`].
     pub fn step_observed(&mut self, executor: &impl Executor, begins: &mut dyn FnMut(Pass)) -> Result<(), StepError> {
         let (model, schedule) = (self.plan.model, self.schedule.clone());
-        let (mut parameters, mut clock) = (self.parameters, self.clock);
-        loop {
-            let found = self.attempt(executor, &model, &parameters, &schedule, begins)?;
-            if !clock.after(&model, &mut parameters, found.maxima) {
+        let (mut constants, mut clock) = (self.constants, self.clock);
+        for _ in 0..MOST_ATTEMPTS {
+            let found = self.attempt(executor, &model, &constants, &schedule, begins)?;
+            if !clock.after(&model, &constants.parameters, &mut constants.step, found.maxima) {
                 // the state that was tried is left where it is, and another one is tried
                 continue;
             }
             self.accept();
-            (self.parameters, self.clock) = (parameters, clock);
+            (self.constants, self.clock) = (constants, clock);
             self.steps += 1;
             self.correction = CorrectionReport {
                 iterations: found.iterations,
@@ -161,6 +165,109 @@ impl<'m> Solver<'m> {
             self.air_refused += u64::from(found.refused);
             return Ok(());
         }
+        Err(StepError::NoTimeStep { attempts: MOST_ATTEMPTS, step: self.steps + 1 })
+    }
+
+    /// Another acceleration of gravity from now on, m/s2; like every change between steps checked as at creation.
+    ///
+    /// # Errors
+    /// A value that no scene can have. A term that the plan left out, where the scene does not list it in
+    /// [`Scene::live`]. Before the first step also one that makes accelerations that are not finite. The fluid then is as it was.
+    pub fn set_gravity(&mut self, gravity: [f32; 3]) -> Result<(), SceneError> {
+        self.change(Change::Gravity(gravity))
+    }
+
+    /// Another wind from now on, or none.
+    ///
+    /// # Errors
+    /// As for [`Solver::set_gravity`].
+    pub fn set_wind(&mut self, wind: Option<Wind>) -> Result<(), SceneError> {
+        self.change(Change::Wind(wind))
+    }
+
+    /// Another time step from now on, s. What an integrator remembers of the last step follows.
+    ///
+    /// # Errors
+    /// As for [`Solver::set_gravity`]; also where the time step follows from the state, and with the integrators of Beeman.
+    pub fn set_time_step(&mut self, time_step: f32) -> Result<(), SceneError> {
+        self.change(Change::TimeStep(time_step))
+    }
+
+    /// Another dynamic viscosity of a fluid by number from now on, Pa s; blocks and walls with one of their own keep it.
+    ///
+    /// # Errors
+    /// As for [`Solver::set_gravity`]; also a number that no fluid has.
+    pub fn set_viscosity(&mut self, fluid: u32, viscosity: f32) -> Result<(), SceneError> {
+        self.change(Change::Viscosity(fluid, viscosity))
+    }
+
+    /// Another surface tension of a fluid by number from now on ([`Fluid::surface_tension`](crate::scene::Fluid::surface_tension)).
+    ///
+    /// # Errors
+    /// As for [`Solver::set_viscosity`].
+    pub fn set_surface_tension(&mut self, fluid: u32, tension: f32) -> Result<(), SceneError> {
+        self.change(Change::SurfaceTension(fluid, tension))
+    }
+
+    /// Another speed of sound of a fluid by number from now on, m/s. A near stiffness that the scene does not name follows.
+    ///
+    /// # Errors
+    /// As for [`Solver::set_viscosity`]; also for a fluid with a stiffness.
+    pub fn set_speed_of_sound(&mut self, fluid: u32, speed: f32) -> Result<(), SceneError> {
+        self.change(Change::SpeedOfSound(fluid, speed))
+    }
+
+    /// Another constant of Tait's equation of a fluid by number from now on, Pa
+    /// ([`Fluid::stiffness`](crate::scene::Fluid::stiffness)).
+    ///
+    /// # Errors
+    /// As for [`Solver::set_viscosity`].
+    pub fn set_stiffness(&mut self, fluid: u32, stiffness: f32) -> Result<(), SceneError> {
+        self.change(Change::Stiffness(fluid, stiffness))
+    }
+
+    /// Makes a change between two steps.
+    fn change(&mut self, change: Change) -> Result<(), SceneError> {
+        let (live, mut next) = self.live.changed(change)?;
+        // the step's length and number are the clock's, unless it is they that change
+        let (was, steady) = (self.constants.step.time_step, self.steady);
+        let before = (core::mem::replace(&mut self.live, live), self.constants, steady);
+        if !matches!(change, Change::TimeStep(_)) {
+            let StepUniform { gravity, wind, .. } = next.step;
+            next.step = StepUniform { gravity, wind, ..self.constants.step };
+        }
+        next.step.step = self.constants.step.step;
+        self.constants = next;
+        if self.steps == 0 {
+            // the first step begins with the accelerations at the start
+            if let Err(error) = self.evaluate() {
+                (self.live, self.constants, self.steady) = before;
+                return Err(error.into());
+            }
+            self.remember();
+        } else if matches!(change, Change::TimeStep(_)) {
+            set_step(&mut self.constants.step, next.step.time_step);
+            self.steady = steady.changed(self.steps, was);
+            let times = div(self.constants.step.time_step, was);
+            let model = self.plan.model;
+            for history in self.memory.states[self.current].history.iter_mut() {
+                let vec3 { x, y, z } = history_rescaled::<f32>(&model, vec3::splat(*history), times);
+                *history = [x, y, z, 0.0];
+            }
+        }
+        Ok(())
+    }
+
+    /// How simulated time follows from the steps, where they are all alike.
+    #[must_use]
+    pub fn steady_time(&self) -> SteadyTime {
+        self.steady
+    }
+
+    /// The scene as it is now.
+    #[must_use]
+    pub fn live(&self) -> &LiveScene {
+        &self.live
     }
 
     /// The host's field from now on, one acceleration a node of [`Scene::field`], x fastest, m/s2; the fourth numbers are
@@ -195,9 +302,9 @@ impl<'m> Solver<'m> {
         &mut self,
         executor: &impl Executor,
         model: &Model,
-        parameters: &Parameters,
+        constants: &Constants,
     ) -> Result<Found, StepError> {
-        self.attempt(executor, model, parameters, &evaluation(model), &mut |_| ())
+        self.attempt(executor, model, constants, &evaluation(model), &mut |_| ())
     }
 
     /// Tries a step, in the state that is not the fluid.
@@ -205,18 +312,19 @@ impl<'m> Solver<'m> {
         &mut self,
         executor: &impl Executor,
         model: &Model,
-        parameters: &Parameters,
+        constants: &Constants,
         commands: &[Command],
         begins: &mut dyn FnMut(Pass),
     ) -> Result<Found, StepError> {
         let Arrays { states: [a, b], scratch, given } = &mut self.memory;
         let (tables, field) = (&*given.kernel_tables, &*given.acceleration_field);
-        let setup = Setup { model, parameters, tables, field, simd: self.simd };
+        let Constants { parameters, materials, step: uniform, .. } = constants;
+        let setup = Setup { model, parameters, materials, uniform, tables, field, simd: self.simd };
         let (old, new) = if self.current == 0 { (&*a, b) } else { (&*b, a) };
         let found = Found::nothing(self.steps as u32);
         let command = Command::Run(Pass::IntegrateBefore);
         let mut step = Step { setup, executor, old, new, scratch, given, found, command };
-        step::run(&mut step, commands, begins)?;
+        step::run(&mut step, commands, begins).map_err(|error| error.at_step(self.steps + 1))?;
         Ok(step.found)
     }
 
@@ -314,21 +422,20 @@ impl<'m> Solver<'m> {
     #[must_use]
     pub fn time(&self) -> f64 {
         if self.plan.model.adaptive == 1 {
-            return self.clock.report(&self.parameters).time;
+            return self.clock.report(&self.constants.step).time;
         }
-        // exact, where a clock that adds steps up is not
-        self.steps as f64 * f64::from(self.parameters.time_step)
+        self.steady.after(self.steps, self.constants.step.time_step)
     }
 
     /// What became of the time step.
     #[must_use]
     pub fn time_report(&self) -> TimeReport {
-        TimeReport { time: self.time(), ..self.clock.report(&self.parameters) }
+        TimeReport { time: self.time(), ..self.clock.report(&self.constants.step) }
     }
 
     /// Writes what a device's clock goes on from.
     pub fn fill_status(&self, status: &mut Status) {
-        self.clock.fill(&self.parameters, status);
+        self.clock.fill(&self.constants.step, status);
     }
 
     /// How much memory of which arrays it has.
@@ -346,7 +453,19 @@ impl<'m> Solver<'m> {
     /// The scene's constants.
     #[must_use]
     pub fn parameters(&self) -> &Parameters {
-        &self.parameters
+        &self.constants.parameters
+    }
+
+    /// The constants of the materials.
+    #[must_use]
+    pub fn materials(&self) -> &Materials {
+        &self.constants.materials
+    }
+
+    /// The numbers of the next step.
+    #[must_use]
+    pub fn uniform(&self) -> &StepUniform {
+        &self.constants.step
     }
 
     /// The level computed at.

@@ -14,14 +14,14 @@ use crate::validate::Checked;
 impl Solver<'_> {
     /// Evaluates the first accelerations, sorts the particles, and finds the first time step.
     pub(crate) fn evaluate(&mut self) -> Result<(), StepError> {
-        let mut parameters = self.parameters;
-        set_step(&mut parameters, self.first_step);
-        let at_rest = self.plan.model.at_rest();
+        let mut constants = self.constants;
+        set_step(&mut constants.step, self.live().time_step());
         // with time standing still a step does nothing else
-        let found = self.attempt_evaluation(&Serial, &at_rest, &parameters.at_rest())?;
+        let at_rest = constants.at_rest();
+        let found = self.attempt_evaluation(&Serial, &self.plan.model.at_rest(), &at_rest)?;
         self.accept();
-        self.clock = Clock::start(&self.plan.model, &mut parameters, found.maxima);
-        self.parameters = parameters;
+        self.clock = Clock::start(&self.plan.model, &constants.parameters, &mut constants.step, found.maxima);
+        self.constants = constants;
         Ok(())
     }
 
@@ -32,10 +32,10 @@ impl Solver<'_> {
     /// lost. Where nothing can have been before, that attempt being refused, it takes `a_{-1} = a_0`, Beeman's own start, which loses
     /// one where velocities are not 0.
     pub(crate) fn remember(&mut self) {
-        let (m, p) = (self.plan.model, self.parameters);
+        let (m, u) = (self.plan.model, self.constants.step);
         if is_beeman(&m) {
             let back = Model { integrator: MODIFIED_VELOCITY_VERLET, ..m.at_rest() };
-            let found = self.attempt_evaluation(&Serial, &back, &p.backwards()).is_ok();
+            let found = self.attempt_evaluation(&Serial, &back, &self.constants.backwards()).is_ok();
             let [a, b] = &mut self.memory.states;
             let (now, before) = if self.current == 0 { (a, b) } else { (b, a) };
             let without_w = |[x, y, z, _]: f32x4| [x, y, z, 0.0];
@@ -51,7 +51,7 @@ impl Solver<'_> {
             let now = &mut self.memory.states[self.current];
             for (slot, history) in now.history.iter_mut().enumerate() {
                 let (v, a) = (vec3::<f32>::splat(now.velocity[slot]), vec3::<f32>::splat(now.acceleration[slot]));
-                let vec3 { x, y, z } = history_turned(&m, &p, v, a, v);
+                let vec3 { x, y, z } = history_turned(&m, &u, v, a, v);
                 *history = [x, y, z, 0.0];
             }
         }
@@ -90,7 +90,7 @@ impl Solver<'_> {
             }
             let (masses, species) = (self.plan.model.masses == 1, self.plan.model.species == 1);
             let material = material_of(place.material, scene);
-            let of_coat = scene.air.is_some() && slot >= self.parameters.first_air as usize;
+            let of_coat = scene.air.is_some() && slot >= self.constants.parameters.first_air as usize;
             let fits = match material {
                 Some(Material::Dormant) => of_coat,
                 Some(_) => !of_coat || scene.air.is_some_and(|air| air.fluid == place.material),
@@ -109,7 +109,7 @@ impl Solver<'_> {
             if let Some(heat) = state.internal_energy.get_mut(slot) {
                 let energy = match material {
                     Some(Material::Fluid(fluid)) => scene.fluid_of(fluid).thermal_energy,
-                    Some(Material::Dormant) => self.parameters.air_heat,
+                    Some(Material::Dormant) => self.constants.parameters.air_heat,
                     _ => 0.0,
                 };
                 *heat = [energy, 0.0, 0.0, 0.0];

@@ -4,8 +4,8 @@ use millpond_core::plan::arrays::{Class, Side};
 use millpond_core::plan::passes::{Access, Binding, Bound, Threads};
 use millpond_core::{Array, Pass};
 
-/// Uniforms before the arrays: the parameters, the kernel tables.
-pub const UNIFORMS: u32 = 2;
+/// Uniforms before the arrays: the parameters, the numbers of the step, the materials, the kernel tables.
+pub const UNIFORMS: u32 = 4;
 
 /// A buffer that a program binds behind the uniforms.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -15,6 +15,9 @@ pub(crate) const UNIFORM_STRIDE: u64 = 256;
 #[derive(Debug)]
 pub(crate) struct Buffers {
     pub parameters: wgpu::Buffer,
+    /// The numbers of the step.
+    pub step: wgpu::Buffer,
+    pub materials: wgpu::Buffer,
     pub tables: wgpu::Buffer,
     pub head: wgpu::Buffer,
     /// The number of each array, for commands that say which one they are about.
@@ -91,6 +94,8 @@ impl Buffers {
             (0..Array::COUNT * stride).map(|i| if i % stride == 0 { i / stride } else { 0 } as u32).collect();
         Ok(Buffers {
             parameters: uniform.filled("parameters", &[*solver.parameters()])?,
+            step: uniform.filled("step", &[*solver.uniform()])?,
+            materials: uniform.filled("materials", &[*solver.materials()])?,
             tables: uniform.filled("tables", &tables)?,
             head,
             subjects: uniform.filled("subjects", &subjects)?,

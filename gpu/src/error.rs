@@ -61,6 +61,22 @@ pub enum GpuError {
     /// The device stopped answering.
     #[error("the device failed: {0}")]
     Device(String),
+    /// A change before the first step, which begins with the accelerations that the CPU evaluated.
+    #[error(
+        "{call} comes before the device's first step: call it on the CPU solver that the device starts from, before GpuSolver::new"
+    )]
+    BeforeFirstStep {
+        /// What was called.
+        call: &'static str,
+    },
+    /// More steps than a device can count.
+    #[error("{steps} steps are more than the {most} that a device can count: restart it from a CPU solver")]
+    TooManySteps {
+        /// Steps that were made or asked for.
+        steps: u64,
+        /// The most.
+        most: u64,
+    },
     /// A step could not be made; the fluid is as it was before it.
     #[error(transparent)]
     Step(#[from] StepError),

@@ -77,7 +77,7 @@ impl Recorder<'_> {
 
     /// What a command binds when state `old` is the old one.
     fn resources(&self, command: Command, pass: Pass, old: usize) -> Vec<wgpu::BindingResource<'_>> {
-        let Buffers { parameters, tables, head, .. } = self.buffers;
+        let Buffers { parameters, step, materials, tables, head, .. } = self.buffers;
         let array = |array: Array, side: Side| self.buffers.array(array, side, old).as_entire_binding();
         let force = if self.model.corrects_pressure() {
             (Array::non_pressure_acceleration, Side::Only)
@@ -85,7 +85,7 @@ impl Recorder<'_> {
             (Array::acceleration, Side::New)
         };
         let again = matches!(command, Command::RunAgain(_));
-        let mut all: Vec<_> = [parameters, tables, head].map(wgpu::Buffer::as_entire_binding).into();
+        let mut all: Vec<_> = [parameters, step, materials, tables, head].map(wgpu::Buffer::as_entire_binding).into();
         all.extend(bound(pass, &self.model).map(|binding| match binding.bound {
             Bound::Force if again => array(Array::acceleration, Side::New),
             Bound::Force => array(force.0, force.1),

@@ -2,7 +2,10 @@
 use crate::bindings::{declarations, reads_pairs, workgroup};
 use crate::text::wgsl_of;
 use millpond_core::Pass;
-use millpond_core::layout::{Model, PLANES, Parameters, QUANTITIES_OF_ID, SPECIES, TABLE_ENTRIES, TABLE_WORDS};
+use millpond_core::layout::{
+    MATERIALS, MOST_ATTEMPTS, Materials, Model, PLANES, Parameters, QUANTITIES_OF_ID, StepUniform, TABLE_ENTRIES,
+    TABLE_WORDS,
+};
 use millpond_core::terms::texts;
 
 /// Where division and root come from.
@@ -52,12 +55,16 @@ millpond_core::with_passes!(loop_texts);
 #[must_use]
 pub fn library(model: &Model, words: Words) -> String {
     let mut out = words.prelude();
-    out += &format!("alias Planes = array<f32x4, {PLANES}>;\nalias Kinds = array<f32x4, {SPECIES}>;\n");
-    out += &format!("const QUANTITIES_OF_ID: u32 = {QUANTITIES_OF_ID}u;\n");
-    out += &format!("const SPECIES: u32 = {SPECIES}u;\nconst TABLE_ENTRIES: u32 = {TABLE_ENTRIES}u;\n");
-    out += Parameters::WGSL;
-    out += "@group(0) @binding(0) var<uniform> p: Parameters;\n";
-    out += &format!("@group(0) @binding(1) var<uniform> tables: array<f32x4, {}>;\n", TABLE_WORDS / 4);
+    out += &format!("alias Planes = array<f32x4, {PLANES}>;\nalias MaterialRows = array<f32x4, {MATERIALS}>;\n");
+    out +=
+        &format!("const QUANTITIES_OF_ID: u32 = {QUANTITIES_OF_ID}u;\nconst MOST_ATTEMPTS: u32 = {MOST_ATTEMPTS}u;\n");
+    out += &format!("const MATERIALS: u32 = {MATERIALS}u;\nconst TABLE_ENTRIES: u32 = {TABLE_ENTRIES}u;\n");
+    out += &[Parameters::WGSL, StepUniform::WGSL, Materials::WGSL].concat();
+    let tables = format!("array<f32x4, {}>", TABLE_WORDS / 4);
+    let uniforms = [("p", "Parameters"), ("u", "StepUniform"), ("materials", "Materials"), ("tables", &tables)];
+    for (binding, (name, kind)) in uniforms.into_iter().enumerate() {
+        out += &format!("@group(0) @binding({binding}) var<uniform> {name}: {kind};\n");
+    }
     out += include_str!("shaders/constants.wgsl");
     // the choices are constants, so that what is not chosen is compiled away
     out += Model::WGSL;

@@ -4,10 +4,14 @@ use crate::device::Gpu;
 use crate::error::GpuError;
 use crate::pipelines::{Dispatch, dispatches, record};
 use core::mem::offset_of;
+use millpond_core::arithmetic::real::{div, vec3};
 use millpond_core::hash::state_hash;
-use millpond_core::layout::{Parameters, Status, f32x4};
+use millpond_core::layout::{Model, Status, StepUniform, f32x4};
+use millpond_core::live::{Change, LiveScene};
 use millpond_core::plan::arrays::{Class, Side};
-use millpond_core::{AirReport, Array, CorrectionReport, SceneError, Solver, TimeReport, verdict};
+use millpond_core::scene::Wind;
+use millpond_core::terms::integrate::{VERLET, history_rescaled};
+use millpond_core::{AirReport, Array, CorrectionReport, SceneError, Solver, SteadyTime, TimeReport, verdict};
 
 /// Steps that are recorded before the status is read: a failed step is found at most this late, and costs nothing more.
 pub const STEPS_PER_STATUS: u32 = 64;
@@ -20,7 +24,10 @@ pub struct GpuSolver {
     dispatches: Vec<Dispatch>,
     cell_places: u32,
     adaptive: bool,
-    time_step: f32,
+    live: LiveScene,
+    model: Model,
+    uniform: StepUniform,
+    steady: SteadyTime,
     first_step: u64,
     /// Steps that count.
     steps: u64,
@@ -79,6 +86,7 @@ impl GpuSolver {
     pub fn new(gpu: &Gpu, solver: &Solver<'_>) -> Result<GpuSolver, GpuError> {
         let parameters = solver.parameters();
         let plan = solver.plan();
+        countable(solver.steps())?;
         let (buffers, dispatches) = gpu.caught(|| {
             let buffers = Buffers::of(gpu, solver)?;
             let dispatches = dispatches(gpu, plan, &buffers, parameters.particle_count)?;
@@ -90,7 +98,10 @@ impl GpuSolver {
             dispatches,
             cell_places: plan.model.cell_places,
             adaptive: plan.model.adaptive == 1,
-            time_step: parameters.time_step,
+            live: solver.live().clone(),
+            model: plan.model,
+            uniform: *solver.uniform(),
+            steady: solver.steady_time(),
             first_step: solver.steps(),
             steps: solver.steps(),
             attempts: 0,
@@ -104,6 +115,7 @@ impl GpuSolver {
     /// again from [`GpuSolver::read`] with another scene.
     pub fn step(&mut self, count: u32) -> Result<(), GpuError> {
         let until = self.steps + u64::from(count);
+        countable(until)?;
         while self.steps < until {
             let now = (until - self.steps).min(u64::from(STEPS_PER_STATUS));
             let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -124,13 +136,16 @@ impl GpuSolver {
     /// Records an attempt at a step from state `old`. After one that is to be made again the next finds the states the other way
     /// round, and sits out.
     fn record(&self, encoder: &mut wgpu::CommandEncoder, old: usize) {
-        let Buffers { head, parameters, .. } = &self.buffers;
+        let Buffers { head, step, .. } = &self.buffers;
         encoder.clear_buffer(head, size_of::<Status>() as u64, None);
+        // the clock's numbers go into the step's without the host ever seeing them
+        let mut copy = |from: usize, to: usize, words: usize| {
+            let bytes = (words * size_of::<u32>()) as u64;
+            encoder.copy_buffer_to_buffer(head, from as u64, step, to as u64, Some(bytes));
+        };
+        copy(offset_of!(Status, steps), offset_of!(StepUniform, step), 1);
         if self.adaptive {
-            // the time step goes from the clock into the constants without the host ever seeing it
-            let (from, to) = (offset_of!(Status, time_step), offset_of!(Parameters, time_step));
-            let bytes = 3 * size_of::<f32>();
-            encoder.copy_buffer_to_buffer(head, from as u64, parameters, to as u64, Some(bytes as u64));
+            copy(offset_of!(Status, time_step), offset_of!(StepUniform, time_step), 3);
         }
         record(&self.dispatches, encoder, old);
     }
@@ -166,9 +181,113 @@ impl GpuSolver {
             return Err(SceneError::NotFinite { field: "field", value }.into());
         }
         if expected > 0 {
+            self.has_begun("set_field")?;
             let field = self.buffers.array(Array::acceleration_field, Side::Only, 0);
             self.gpu.queue.write_buffer(field, 0, bytemuck::cast_slice(nodes));
         }
+        Ok(())
+    }
+
+    /// Another acceleration of gravity from now on, as [`Solver::set_gravity`] takes it.
+    ///
+    /// # Errors
+    /// As there; also before the first step on the device, when the CPU solver is the one to be told.
+    pub fn set_gravity(&mut self, gravity: [f32; 3]) -> Result<(), GpuError> {
+        self.change("set_gravity", Change::Gravity(gravity))
+    }
+
+    /// Another wind from now on, as [`Solver::set_wind`] takes it.
+    ///
+    /// # Errors
+    /// As for [`GpuSolver::set_gravity`].
+    pub fn set_wind(&mut self, wind: Option<Wind>) -> Result<(), GpuError> {
+        self.change("set_wind", Change::Wind(wind))
+    }
+
+    /// Another time step from now on, s, as [`Solver::set_time_step`] takes it.
+    ///
+    /// # Errors
+    /// As for [`GpuSolver::set_gravity`].
+    pub fn set_time_step(&mut self, time_step: f32) -> Result<(), GpuError> {
+        self.change("set_time_step", Change::TimeStep(time_step))
+    }
+
+    /// Another dynamic viscosity of a fluid from now on, Pa s, as [`Solver::set_viscosity`] takes it.
+    ///
+    /// # Errors
+    /// As for [`GpuSolver::set_gravity`].
+    pub fn set_viscosity(&mut self, fluid: u32, viscosity: f32) -> Result<(), GpuError> {
+        self.change("set_viscosity", Change::Viscosity(fluid, viscosity))
+    }
+
+    /// Another surface tension of a fluid from now on, as [`Solver::set_surface_tension`] takes it.
+    ///
+    /// # Errors
+    /// As for [`GpuSolver::set_gravity`].
+    pub fn set_surface_tension(&mut self, fluid: u32, tension: f32) -> Result<(), GpuError> {
+        self.change("set_surface_tension", Change::SurfaceTension(fluid, tension))
+    }
+
+    /// Another speed of sound of a fluid from now on, m/s, as [`Solver::set_speed_of_sound`] takes it.
+    ///
+    /// # Errors
+    /// As for [`GpuSolver::set_gravity`].
+    pub fn set_speed_of_sound(&mut self, fluid: u32, speed: f32) -> Result<(), GpuError> {
+        self.change("set_speed_of_sound", Change::SpeedOfSound(fluid, speed))
+    }
+
+    /// Another constant of Tait's equation of a fluid from now on, Pa, as [`Solver::set_stiffness`] takes it.
+    ///
+    /// # Errors
+    /// As for [`GpuSolver::set_gravity`].
+    pub fn set_stiffness(&mut self, fluid: u32, stiffness: f32) -> Result<(), GpuError> {
+        self.change("set_stiffness", Change::Stiffness(fluid, stiffness))
+    }
+
+    /// The first step begins with accelerations that the CPU evaluated, so that a change before it is the CPU's to make.
+    fn has_begun(&self, call: &'static str) -> Result<(), GpuError> {
+        if self.steps == 0 { Err(GpuError::BeforeFirstStep { call }) } else { Ok(()) }
+    }
+
+    fn change(&mut self, call: &'static str, change: Change) -> Result<(), GpuError> {
+        let (live, next) = self.live.changed(change)?;
+        self.has_begun(call)?;
+        let mut uniform = next.step;
+        if matches!(change, Change::TimeStep(_)) {
+            uniform = uniform.with_time_step(next.step.time_step);
+            let times = div(uniform.time_step, self.uniform.time_step);
+            self.rescale_history(times)?;
+            self.steady = self.steady.changed(self.steps, self.uniform.time_step);
+        } else {
+            let StepUniform { gravity, wind, .. } = next.step;
+            uniform = StepUniform { gravity, wind, ..self.uniform };
+        }
+        self.live = live;
+        self.uniform = uniform;
+        let Buffers { parameters, materials, step, .. } = &self.buffers;
+        let queue = &self.gpu.queue;
+        queue.write_buffer(parameters, 0, bytemuck::bytes_of(&next.parameters));
+        queue.write_buffer(materials, 0, bytemuck::bytes_of(&next.materials));
+        // the device's clock writes the time step itself, where it follows from the state
+        let bytes = bytemuck::bytes_of(&uniform);
+        let fixed = if self.adaptive { offset_of!(StepUniform, time_step) } else { size_of::<StepUniform>() };
+        queue.write_buffer(step, 0, &bytes[..fixed]);
+        Ok(())
+    }
+
+    /// What an integrator remembers of the last step, for one that is so many times as long.
+    fn rescale_history(&self, times: f32) -> Result<(), GpuError> {
+        let words = self.buffers.words(Array::history);
+        if words == 0 || self.model.integrator != VERLET {
+            return Ok(());
+        }
+        let buffer = self.buffers.array(Array::history, Side::Old, self.current());
+        let mut history: Vec<f32x4> = read(&self.gpu, buffer, words / 4)?;
+        for entry in &mut history {
+            let vec3 { x, y, z } = history_rescaled::<f32>(&self.model, vec3::splat(*entry), times);
+            *entry = [x, y, z, 0.0];
+        }
+        self.gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(&history));
         Ok(())
     }
 
@@ -192,7 +311,8 @@ impl GpuSolver {
     pub fn time_report(&self) -> Result<TimeReport, GpuError> {
         let mut report = TimeReport::of(&self.status()?);
         if !self.adaptive {
-            report.time = self.steps as f64 * f64::from(self.time_step);
+            report.time = self.steady.after(self.steps, self.uniform.time_step);
+            report.next = self.uniform.time_step;
         }
         Ok(report)
     }
@@ -242,8 +362,15 @@ impl GpuSolver {
 // the clock's three numbers stand side by side in both structs, so that one copy moves them
 const _: () = assert!(offset_of!(Status, half_time_step) == offset_of!(Status, time_step) + 4);
 const _: () = assert!(offset_of!(Status, inverse_time_step) == offset_of!(Status, time_step) + 8);
-const _: () = assert!(offset_of!(Parameters, half_time_step) == offset_of!(Parameters, time_step) + 4);
-const _: () = assert!(offset_of!(Parameters, inverse_time_step) == offset_of!(Parameters, time_step) + 8);
+const _: () = assert!(offset_of!(StepUniform, half_time_step) == offset_of!(StepUniform, time_step) + 4);
+const _: () = assert!(offset_of!(StepUniform, inverse_time_step) == offset_of!(StepUniform, time_step) + 8);
+
+/// Steps that a device can count.
+const MOST_STEPS: u64 = u32::MAX as u64;
+
+fn countable(steps: u64) -> Result<(), GpuError> {
+    if steps > MOST_STEPS { Err(GpuError::TooManySteps { steps, most: MOST_STEPS }) } else { Ok(()) }
+}
 
 /// A status that contradicts itself.
 fn lost() -> GpuError {

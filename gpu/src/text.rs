@@ -2,7 +2,7 @@
 
 /// The WGSL of a term's text.
 ///
-/// Drops comments, `use`, `mod` and attribute lines, `pub `, `<R: Real>` and the `<R>` of structs, and the arguments `m`, `p` and
+/// Drops comments, `use`, `mod` and attribute lines, `pub `, `<R: Real>` and the `<R>` of structs, and the arguments `m`, `p`, `u` and
 /// `t`, which are global in WGSL.
 #[must_use]
 pub fn wgsl_of(rust: &str) -> String {
@@ -14,7 +14,10 @@ pub fn wgsl_of(rust: &str) -> String {
         if start.is_empty() || only_rust.iter().any(|word| start.starts_with(word)) {
             continue;
         }
-        if matches!(start, "m: &Model," | "p: &Parameters," | "t: &Tables," | "m," | "p," | "t,") {
+        if matches!(
+            start,
+            "m: &Model," | "p: &Parameters," | "u: &StepUniform," | "t: &Tables," | "m," | "p," | "u," | "t,"
+        ) {
             continue;
         }
         let mut code = code.replacen("pub ", "", 1);
@@ -26,7 +29,13 @@ pub fn wgsl_of(rust: &str) -> String {
             code = code.replace(alone, "()");
         }
         // declared in this order, passed on in this order, each of them only where it is needed
-        for (declared, passed) in [("m: &Model, ", "m, "), ("p: &Parameters, ", "p, "), ("t: &Tables, ", "t, ")] {
+        let arguments = [
+            ("m: &Model, ", "m, "),
+            ("p: &Parameters, ", "p, "),
+            ("u: &StepUniform, ", "u, "),
+            ("t: &Tables, ", "t, "),
+        ];
+        for (declared, passed) in arguments {
             code = code.replace(declared, "").replace(&format!("({passed}"), "(");
         }
         out += &mark_literals(&code);

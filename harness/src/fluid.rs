@@ -5,7 +5,7 @@ use crate::pool::Pool;
 use crate::scenes::Named;
 use crate::snapshot::Snapshot;
 use millpond_core::OwnedMemory;
-use millpond_core::layout::{Parameters, u32x4};
+use millpond_core::layout::{Materials, Parameters, u32x4};
 use millpond_core::scene::Scene;
 use millpond_core::springs::energy;
 use millpond_core::{AirReport, Array, CorrectionReport, Plan, Solver, TimeReport};
@@ -40,6 +40,7 @@ pub enum Fluid<'a> {
 pub struct Springs {
     plan: Plan,
     parameters: Parameters,
+    materials: Materials,
     ranges: Vec<u32x4>,
 }
 
@@ -61,7 +62,7 @@ impl<'a> Fluid<'a> {
                 let gpu = Gpu::open(None, Mode::Strict)?;
                 let (plan, parameters) = (*solver.plan(), *solver.parameters());
                 let ranges = bytemuck::cast_slice(solver.words(Array::spring_ranges)).to_vec();
-                let springs = Box::new(Springs { plan, parameters, ranges });
+                let springs = Box::new(Springs { plan, parameters, materials: *solver.materials(), ranges });
                 Fluid::Gpu { solver: Box::new(GpuSolver::new(&gpu, &solver)?), device: gpu.name(), springs }
             }
         })
@@ -130,7 +131,7 @@ impl<'a> Fluid<'a> {
             Fluid::Gpu { springs, .. } => {
                 let rest = |id: u32| {
                     let kind = state.velocity()[id as usize][3] as usize;
-                    springs.parameters.species.get(kind).map_or(1.0, |species| species[2])
+                    springs.materials.species.get(kind).map_or(1.0, |species| species[2])
                 };
                 let particle = |id: u32| (state.position()[id as usize], rest(id));
                 energy(&springs.plan, &springs.parameters, (&springs.ranges, state.spring_ends()), particle)

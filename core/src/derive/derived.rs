@@ -1,10 +1,11 @@
 //! All that follows from a scene, in one place.
 use super::counts::{Counts, field_counts, spring_ends, springs_of_particle};
 use super::fluid::FluidConstants;
-use super::parameters::parameters;
+use super::materials::materials;
+use super::parameters::{parameters, step_uniform};
 use super::scales::{Scales, average_neighbours, particle_mass};
 use super::step_limits::kinematic_viscosity;
-use crate::layout::Parameters;
+use crate::layout::{Materials, Parameters, StepUniform};
 use crate::scene::{FLUIDS, Scene};
 use heapless::Vec;
 
@@ -40,6 +41,10 @@ pub struct Derived {
     pub field_counts: [u32; 4],
     /// The constants that every pass reads, rounded once.
     pub parameters: Parameters,
+    /// Those of each material.
+    pub materials: Materials,
+    /// The numbers of the first step.
+    pub step: StepUniform,
 }
 
 impl Derived {
@@ -53,7 +58,9 @@ impl Derived {
             average_neighbours: average_neighbours(scene),
             cells,
             particle_mass,
-            parameters: parameters(scene, scales, (counts, cells), (particle_mass, &fluids), kinematic_viscosity),
+            parameters: parameters(scene, scales, (counts, cells), particle_mass, kinematic_viscosity),
+            materials: materials(scene, &fluids, particle_mass, scales.support_radius),
+            step: step_uniform(scene),
             fluids,
             kinematic_viscosity,
             fluid_particles: counts.fluid as usize,

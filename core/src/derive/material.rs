@@ -1,6 +1,6 @@
 //! Numbers of materials: what stands in the fourth number of a particle's velocity, and names the row of its constants. First come
 //! the fluids, then the blocks with a viscosity of their own, the walls, and the air that is not there.
-use crate::layout::SPECIES;
+use crate::layout::MATERIALS;
 use crate::scene::{BLOCKS, FLUIDS, Scene, WALLS};
 
 /// First material of the blocks with a viscosity of their own; before it come the fluids.
@@ -10,13 +10,13 @@ pub(crate) const FIRST_BLOCK: u32 = FLUIDS as u32;
 pub(crate) const FIRST_WALL: u32 = FIRST_BLOCK + BLOCKS as u32;
 
 /// The material of a particle of air that is not there.
-pub(crate) const DORMANT: u32 = FIRST_WALL + WALLS as u32;
+pub(crate) const DORMANT: u32 = MATERIALS as u32 - 1;
 
 /// What air that is not there has where a particle of a wall has a 1: whatever is more than 0 is held, and this can be told
 /// from a wall.
 pub(crate) const NOT_THERE: f32 = 2.0;
 
-const _: () = assert!(DORMANT as usize + 1 == SPECIES);
+const _: () = assert!((FIRST_WALL as usize) + WALLS <= DORMANT as usize, "room for every material");
 
 /// What a particle is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,7 +3,7 @@ use super::fluid::FluidConstants;
 use super::kernel_constants::{near_slope_constant, power};
 use super::lattice_sums::gradient_squares;
 use super::material::{DORMANT, FIRST_BLOCK, FIRST_WALL, NOT_THERE};
-use crate::layout::{Kinds, SPECIES, f32x4};
+use crate::layout::{MATERIALS, MaterialRows, Materials, f32x4};
 use crate::scene::{DensityForm, EquationOfState, Fluid, Iteration, NearPressure, Scene};
 
 /// Share of a deviation of density that a step of corrected pressure is to mend (our choice).
@@ -12,10 +12,19 @@ pub(super) const CORRECTION_SOURCE: f32 = 0.1;
 /// Written for the viscosity of a wall that takes the particle's.
 const VISCOSITY_OF_PARTICLE: f32 = -1.0;
 
+/// The constants of all materials; `mass` is that of a particle of the first fluid.
+pub(super) fn materials(scene: &Scene, fluids: &[FluidConstants], mass: f64, support: f64) -> Materials {
+    Materials {
+        species: species(scene, fluids),
+        states: states(scene, fluids, mass, support),
+        corrections: corrections(scene, fluids, support),
+    }
+}
+
 /// A row for each material, of its fluid; those that a scene has no use for are of its first.
-fn rows(scene: &Scene, fluids: &[FluidConstants], of: impl Fn(&Fluid, &FluidConstants) -> f32x4) -> Kinds {
+fn rows(scene: &Scene, fluids: &[FluidConstants], of: impl Fn(&Fluid, &FluidConstants) -> f32x4) -> MaterialRows {
     let own = |number: u32| of(scene.fluid_of(number), fluids.get(number as usize).unwrap_or(&fluids[0]));
-    let mut kinds = [own(0); SPECIES];
+    let mut kinds = [own(0); MATERIALS];
     let mut set = |kind: u32, fluid: u32| kinds[kind as usize] = own(fluid);
     (0..fluids.len() as u32).for_each(|number| set(number, number));
     for (kind, block) in (FIRST_BLOCK..).zip(&scene.blocks) {
@@ -28,7 +37,7 @@ fn rows(scene: &Scene, fluids: &[FluidConstants], of: impl Fn(&Fluid, &FluidCons
 }
 
 /// Viscosity (negative: that of the particle), 1 for a wall and 2 for air that is not there, rest density over the first fluid's, number of the fluid.
-pub(super) fn species(scene: &Scene, fluids: &[FluidConstants]) -> Kinds {
+fn species(scene: &Scene, fluids: &[FluidConstants]) -> MaterialRows {
     let ratio = |fluid: &Fluid| fluid.rest_density / scene.fluid.rest_density;
     let mut kinds = rows(scene, fluids, |fluid, _| [fluid.dynamic_viscosity, 0.0, ratio(fluid), 0.0]);
     for (number, kind) in kinds.iter_mut().enumerate().take(FIRST_BLOCK as usize) {
@@ -48,7 +57,7 @@ pub(super) fn species(scene: &Scene, fluids: &[FluidConstants]) -> Kinds {
 
 /// Constant of the equation of state, near pressure, speed of sound, number of the equation; `mass` is that of a particle of the
 /// first fluid.
-pub(super) fn states(scene: &Scene, fluids: &[FluidConstants], mass: f64, support: f64) -> Kinds {
+fn states(scene: &Scene, fluids: &[FluidConstants], mass: f64, support: f64) -> MaterialRows {
     let d = scene.dimension.count();
     let mass = mass / f64::from(scene.fluid.rest_density);
     let sum_to_density = near_slope_constant(d) / 3.0 / power(support, d);
@@ -72,7 +81,7 @@ pub(super) fn states(scene: &Scene, fluids: &[FluidConstants], mass: f64, suppor
 /// 1/Pa. A pressure at `a` accelerates its neighbours by `m P / rho^2 grad W`, which within a step thins the density at `a` by
 /// `dt^2 V^2 / rho0 sum |grad W|^2` of itself for each pascal. By the letter the full stiffness is taken, `1 / (rho0 c0^2)` being
 /// twice what is added.
-pub(super) fn corrections(scene: &Scene, fluids: &[FluidConstants], support: f64) -> Kinds {
+fn corrections(scene: &Scene, fluids: &[FluidConstants], support: f64) -> MaterialRows {
     // sums over the lattice are only for who needs them; 1 is a number that nobody uses
     let corrects = scene.model.equation_of_state == EquationOfState::PressureCorrection;
     let relaxed = corrects && scene.model.correction.iteration == Iteration::Relaxed;

@@ -1,12 +1,11 @@
 //! The constants that every pass reads, rounded once.
 use super::counts::{Counts, field_counts};
 use super::domain::Axes;
-use super::fluid::FluidConstants;
 use super::kernel_constants::{laplacian, near_slope_constant, power};
-use super::materials::{CORRECTION_SOURCE, corrections, species, states};
+use super::materials::CORRECTION_SOURCE;
 use super::scales::Scales;
 use super::step_limits::StepLimits;
-use crate::layout::{PLANES, Parameters, Planes};
+use crate::layout::{PLANES, Parameters, Planes, StepUniform};
 use crate::scene::{FACES, Face, NearPressure, Scene, SupportRange, Viscosity};
 
 const _: () = assert!(PLANES == FACES, "a plane for each face of a container");
@@ -18,13 +17,12 @@ const SOFTENING: f64 = 0.01 / 4.0;
 /// Where a smooth kernel's Laplacian is taken for that at no distance, over H; it is even there, so this is right to 1e-6.
 const AT_SELF: f64 = 1e-4;
 
-/// The constants of a scene, of its particles and cells, of the mass of a particle of its first fluid and the constants of all its
-/// fluids, and of its largest kinematic viscosity.
+/// The constants of a scene, of its particles and cells, of the mass of a particle of its first fluid, and of its largest kinematic viscosity.
 pub(super) fn parameters(
     scene: &Scene,
     scales: &Scales,
     (counts, cells): (&Counts, [u32; 3]),
-    (mass, fluids): (f64, &[FluidConstants]),
+    mass: f64,
     kinematic_viscosity: f64,
 ) -> Parameters {
     let (fluid, model) = (&scene.fluid, &scene.model);
@@ -45,9 +43,7 @@ pub(super) fn parameters(
     let air = scene.air.as_ref();
     let plasticity = elasticity.plasticity;
     let exchanged = model.viscosity == Viscosity::Exchange;
-    let [gx, gy, gz] = scene.gravity;
     let container = scene.container.as_ref();
-    let wind = scene.wind.map_or([0.0; 4], |w| [w.velocity[0], w.velocity[1], w.velocity[2], w.drag]);
     let field = scene.field.map_or([0.0; 4], |f| [f.low[0], f.low[1], f.low[2], 1.0 / f.spacing]);
     let (planes, plane_count) = planes(scene);
     let adaptive = scene.adaptive.unwrap_or_default();
@@ -60,14 +56,9 @@ pub(super) fn parameters(
         period,
         half_period,
         inverse_period,
-        gravity: [gx, gy, gz, 0.0],
-        wind,
         field_low: field,
         field_counts: field_counts(scene),
         planes,
-        species: species(scene, fluids),
-        states: states(scene, fluids, mass, support),
-        corrections: corrections(scene, fluids, support),
         particle_count: counts.all() as u32,
         plane_count,
         inverse_support: (1.0 / support) as f32,
@@ -76,9 +67,6 @@ pub(super) fn parameters(
         softening: (SOFTENING * support * support) as f32,
         smallest_support: range.smallest,
         largest_support: range.largest,
-        time_step: scene.time_step,
-        half_time_step: scene.time_step * 0.5,
-        inverse_time_step: (1.0 / f64::from(scene.time_step)) as f32,
         particle_mass: mass as f32,
         rest_volume: rest_volume as f32,
         rest_density: fluid.rest_density,
@@ -123,7 +111,19 @@ pub(super) fn parameters(
         largest_time_step: adaptive.largest,
         time_step_growth: adaptive.growth,
         redo_above: adaptive.redo_above.unwrap_or(0.0),
-        kinematic_viscosity: kinematic_viscosity as f32,
+    }
+}
+
+/// The numbers of the first step, as a scene asks for it.
+pub(super) fn step_uniform(scene: &Scene) -> StepUniform {
+    let [gx, gy, gz] = scene.gravity;
+    StepUniform {
+        gravity: [gx, gy, gz, 0.0],
+        wind: scene.wind.map_or([0.0; 4], |w| [w.velocity[0], w.velocity[1], w.velocity[2], w.drag]),
+        time_step: scene.time_step,
+        half_time_step: scene.time_step * 0.5,
+        inverse_time_step: (1.0 / f64::from(scene.time_step)) as f32,
+        step: 0,
     }
 }
 

@@ -4,14 +4,18 @@
 //! between the languages. No hidden padding: bytemuck's derive refuses it, and a test reads the WGSL back through naga.
 #![expect(non_camel_case_types, reason = "the WGSL aliases have these names")]
 
+mod materials;
 mod model;
 mod parameters;
 mod status;
+mod step_uniform;
 mod tables;
 
+pub use materials::{MATERIALS, MaterialRows, Materials};
 pub use model::Model;
-pub use parameters::{PLANES, Parameters, SPECIES};
-pub use status::{NONE, QUANTITIES_OF_ID, Status};
+pub use parameters::{PLANES, Parameters};
+pub use status::{MOST_ATTEMPTS, NONE, QUANTITIES_OF_ID, Status};
+pub use step_uniform::StepUniform;
 pub use tables::{TABLE_ENTRIES, TABLE_WORDS, TABLES, Tables};
 
 /// Four floats: xyz and one scalar.
@@ -22,8 +26,6 @@ pub type u32x4 = [u32; 4];
 pub type u32x2 = [u32; 2];
 /// The penalty walls of a scene: normal and offset of each plane.
 pub type Planes = [f32x4; PLANES];
-/// Constants of the kinds of particle of a scene.
-pub type Kinds = [f32x4; SPECIES];
 
 /// Threads of a work group on a GPU.
 pub const WORKGROUP: u32 = 64;

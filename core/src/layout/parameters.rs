@@ -1,11 +1,8 @@
 //! The constants of a scene, computed once on the CPU and handed to both backends as bits.
-use super::{Kinds, Planes, f32x4, shared, u32x4};
+use super::{Planes, f32x4, shared, u32x4};
 
 /// Penalty walls that a scene can have.
 pub const PLANES: usize = 6;
-
-/// Materials that the particles of a scene can have: [`Material`](crate::derive::Material) says which.
-pub const SPECIES: usize = 33;
 
 shared! {
     /// What every pass reads. SI units, as in 3D; in 2D masses are per metre of depth, and constants of kernels have one
@@ -23,25 +20,12 @@ shared! {
         pub half_period: f32x4,
         /// One over it, 1/m; 0 along the others; w unused.
         pub inverse_period: f32x4,
-        /// Acceleration of gravity, m/s2; w unused.
-        pub gravity: f32x4,
-        /// Velocity of the wind, m/s, and its drag, 1/s.
-        pub wind: f32x4,
         /// First node of the host's field, m, and one over the distance of nodes, 1/m.
         pub field_low: f32x4,
         /// Nodes along x, y, z, and in all.
         pub field_counts: u32x4,
         /// Penalty walls: inward unit normal, and offset along it in m.
         pub planes: Planes,
-        /// Kinds of particle: dynamic viscosity in Pa s (negative for a wall that takes the particle's), 1 for a wall and 2 for air that is not there, rest density
-        /// over the first fluid's, number of the fluid.
-        pub species: Kinds,
-        /// Constant of the equation of state, near pressure at rest (thesis) or over the near sum (article), both in Pa, speed
-        /// of sound in m/s, number of the equation.
-        pub states: Kinds,
-        /// Of an iteration of pressure: how much a pressure thins the density around it in a step, over the step's square, in
-        /// 1/(Pa s2), what is added to that, in 1/Pa; `1 / (rho0 c0^2)` in 1/Pa; surface tension.
-        pub corrections: Kinds,
         /// Particles in all.
         pub particle_count: u32,
         /// Penalty walls in use.
@@ -58,12 +42,6 @@ shared! {
         pub smallest_support: f32,
         /// Largest share.
         pub largest_support: f32,
-        /// Time step, s. This and the next two are all that changes from step to step: a device copies them from its status.
-        pub time_step: f32,
-        /// Half of it, s.
-        pub half_time_step: f32,
-        /// One over it, 1/s.
-        pub inverse_time_step: f32,
         /// Mass of a particle of the first fluid, kg.
         pub particle_mass: f32,
         /// Volume of a particle at rest, m3.
@@ -153,26 +131,17 @@ shared! {
         pub time_step_growth: f32,
         /// A step is made again where it lasted more than so many times what it should have; 0: never.
         pub redo_above: f32,
-        /// Largest kinematic viscosity, m2/s.
-        pub kinematic_viscosity: f32,
     }
 }
 
 impl Parameters {
-    /// The same scene with time running back, with no walls to meet and springs that bear everything. One over the step stays
-    /// what it is: only exchanges read it, which even out whichever way time runs.
-    pub(crate) fn backwards(self) -> Parameters {
-        let at_rest = self.at_rest();
-        let (time_step, half_time_step) = (-self.time_step, -self.half_time_step);
-        Parameters { time_step, half_time_step, plastic_rate: 0.0, ..at_rest }
+    /// The same scene while time stands still or runs back: no walls to meet, springs that bear everything and keep their lengths.
+    pub(crate) fn at_rest(self) -> Parameters {
+        Parameters { plane_count: 0, breaking_stretch: f32::MAX, ..self }
     }
 
-    /// The same scene with time standing still: a step with these evaluates the forces and moves nothing.
-    pub(crate) fn at_rest(mut self) -> Parameters {
-        self.time_step = 0.0;
-        self.half_time_step = 0.0;
-        self.plane_count = 0;
-        self.breaking_stretch = f32::MAX;
-        self
+    /// The same for a step back in time.
+    pub(crate) fn backwards(self) -> Parameters {
+        Parameters { plastic_rate: 0.0, ..self.at_rest() }
     }
 }

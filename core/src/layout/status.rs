@@ -4,6 +4,9 @@ use super::shared;
 /// No particle, no cell: the largest index, so that an atomic minimum finds the smallest offender.
 pub const NONE: u32 = u32::MAX;
 
+/// Attempts at one step, each shorter than the one before, after which it is refused.
+pub const MOST_ATTEMPTS: u32 = 64;
+
 /// Arrays of a state that a status word can tell apart: it holds this many times a particle's id, and the number of the array.
 pub const QUANTITIES_OF_ID: u32 = 16;
 

@@ -1,6 +1,6 @@
 //! What every pass is given, and what it finds.
 use crate::arithmetic::level::Simd;
-use crate::layout::{Model, Parameters, Status, Tables, f32x4};
+use crate::layout::{Materials, Model, Parameters, Status, StepUniform, Tables, f32x4};
 use crate::memory::{Given, Scratch, State};
 use crate::plan::schedule::Command;
 
@@ -9,6 +9,8 @@ use crate::plan::schedule::Command;
 pub(crate) struct Setup<'a> {
     pub model: &'a Model,
     pub parameters: &'a Parameters,
+    pub materials: &'a Materials,
+    pub uniform: &'a StepUniform,
     pub tables: &'a Tables,
     pub field: &'a [f32x4],
     pub simd: Simd,

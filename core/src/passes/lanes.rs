@@ -1,28 +1,35 @@
 //! How particles get into the lanes and out of them, and what their materials have of their own.
 use crate::arithmetic::real::{Real, real, vec3};
-use crate::layout::{Kinds, Model, Parameters, SPECIES, f32x4};
+use crate::layout::{MATERIALS, MaterialRows, Materials, Model, f32x4};
 
 /// The material of a particle; `w` is the fourth number of its velocity.
 #[inline(always)]
 pub(crate) fn kind(w: f32) -> usize {
-    (w as usize).min(SPECIES - 1)
+    (w as usize).min(MATERIALS - 1)
 }
 
 /// Does a particle belong to a wall, or is it inactive? Nothing acts on those.
 #[inline(always)]
-pub(crate) fn is_wall(p: &Parameters, w: f32) -> bool {
-    p.species[kind(w)][1] > 0.0
+pub(crate) fn is_wall(materials: &Materials, w: f32) -> bool {
+    materials.species[kind(w)][1] > 0.0
 }
 
 /// Is it inactive?
 #[inline(always)]
-pub(crate) fn is_dormant(p: &Parameters, w: f32) -> bool {
-    p.species[kind(w)][1] > 1.0
+pub(crate) fn is_dormant(materials: &Materials, w: f32) -> bool {
+    materials.species[kind(w)][1] > 1.0
 }
 
 /// Number `i` of the rows of particles `first ..= last` in the lanes: what their materials have of their own.
 #[inline(always)]
-pub(crate) fn row_of<R: Real>(m: &Model, rows: &Kinds, velocity: &[f32x4], first: usize, last: usize, i: usize) -> R {
+pub(crate) fn row_of<R: Real>(
+    m: &Model,
+    rows: &MaterialRows,
+    velocity: &[f32x4],
+    first: usize,
+    last: usize,
+    i: usize,
+) -> R {
     if m.species == 0 {
         return real(rows[0][i]);
     }

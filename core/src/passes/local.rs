@@ -2,7 +2,7 @@
 use super::context::Setup;
 use super::lanes::{is_wall, kind, load, load_one, load_scalar, row_of};
 use crate::arithmetic::real::{Real, real, vec3};
-use crate::layout::{Kinds, f32x4};
+use crate::layout::{MaterialRows, f32x4};
 use crate::terms::pair::{Local, Stiffness};
 
 /// The arrays that pairs are made of.
@@ -45,13 +45,13 @@ impl Particles<'_> {
     /// Particles `first ..= last` in the lanes.
     #[inline(always)]
     pub(crate) fn receivers<R: Real>(&self, setup: &Setup<'_>, first: usize, last: usize) -> Local<R> {
-        let p = setup.parameters;
+        let materials = setup.materials;
         let of = |i| load_one::<R>(self.density_pressure, first, last, i);
         let known = !self.density_pressure.is_empty();
         let none = real::<R>(0.0);
         let [deviation, pressure, near_pressure, volume] =
             if known { [of(0), of(1), of(2), of(3)] } else { [none, none, none, none] };
-        let row = |rows: &Kinds, i: usize| row_of::<R>(setup.model, rows, self.velocity, first, last, i);
+        let row = |rows: &MaterialRows, i: usize| row_of::<R>(setup.model, rows, self.velocity, first, last, i);
         Local {
             position: load(self.position, first, last),
             velocity: load(self.velocity, first, last),
@@ -61,13 +61,13 @@ impl Particles<'_> {
             pressure,
             near_pressure,
             volume,
-            viscosity: row(&p.species, 0),
-            wall: row(&p.species, 1),
-            rest: row(&p.species, 2),
-            fluid: row(&p.species, 3),
-            sound: row(&p.states, 2),
-            equation: row(&p.states, 3),
-            tension: row(&p.corrections, 3),
+            viscosity: row(&materials.species, 0),
+            wall: row(&materials.species, 1),
+            rest: row(&materials.species, 2),
+            fluid: row(&materials.species, 3),
+            sound: row(&materials.states, 2),
+            equation: row(&materials.states, 3),
+            tension: row(&materials.corrections, 3),
         }
     }
 
@@ -86,27 +86,27 @@ impl Particles<'_> {
     /// What closes the density of particles `first ..= last`.
     #[inline(always)]
     pub(crate) fn stiffness<R: Real>(&self, setup: &Setup<'_>, first: usize, last: usize) -> Stiffness<R> {
-        let p = setup.parameters;
-        let row = |rows: &Kinds, i: usize| row_of::<R>(setup.model, rows, self.velocity, first, last, i);
+        let materials = setup.materials;
+        let row = |rows: &MaterialRows, i: usize| row_of::<R>(setup.model, rows, self.velocity, first, last, i);
         Stiffness {
-            state: row(&p.states, 0),
-            near: row(&p.states, 1),
-            thinning: row(&p.corrections, 0),
-            offset: row(&p.corrections, 1),
-            compressibility: row(&p.corrections, 2),
+            state: row(&materials.states, 0),
+            near: row(&materials.states, 1),
+            thinning: row(&materials.corrections, 0),
+            offset: row(&materials.corrections, 1),
+            compressibility: row(&materials.corrections, 2),
         }
     }
 
     /// Particle `b` in every lane.
     #[inline(always)]
     pub(crate) fn neighbour<R: Real>(&self, setup: &Setup<'_>, b: usize) -> Local<R> {
-        let p = setup.parameters;
+        let materials = setup.materials;
         let x = self.position[b];
         let v = self.velocity[b];
         let [deviation, pressure, near_pressure, volume] = self.density_pressure.get(b).copied().unwrap_or_default();
         let kind = if setup.model.species == 1 { kind(v[3]) } else { 0 };
-        let [viscosity, wall, rest, fluid] = p.species[kind].map(real);
-        let [.., sound, equation] = p.states[kind].map(real);
+        let [viscosity, wall, rest, fluid] = materials.species[kind].map(real);
+        let [.., sound, equation] = materials.states[kind].map(real);
         Local {
             position: vec3::splat(x),
             velocity: vec3::splat(v),
@@ -122,7 +122,7 @@ impl Particles<'_> {
             fluid,
             sound,
             equation,
-            tension: real(p.corrections[kind][3]),
+            tension: real(materials.corrections[kind][3]),
         }
     }
 
@@ -130,6 +130,6 @@ impl Particles<'_> {
     #[inline(always)]
     pub(crate) fn are_walls(&self, setup: &Setup<'_>, first: usize, last: usize) -> bool {
         let held = setup.model.wall_particles != 0 || setup.model.air == 1;
-        held && self.velocity[first..=last].iter().all(|v| is_wall(setup.parameters, v[3]))
+        held && self.velocity[first..=last].iter().all(|v| is_wall(setup.materials, v[3]))
     }
 }

@@ -13,8 +13,8 @@ pub use explain::{LeftOut, Terms};
 
 use crate::layout::Model;
 use crate::scene::{
-    DensityForm, Dimension, Evaluation, Fluid, GridStructure, ModelChoice, NearPressure, Reflection, SurfaceTension,
-    Viscosity,
+    DensityForm, Dimension, Evaluation, Fluid, GridStructure, Live, ModelChoice, NearPressure, Reflection,
+    SurfaceTension, Viscosity,
 };
 use crate::terms::{near, tension, viscosity, wall};
 use crate::validate::Checked;
@@ -48,15 +48,18 @@ impl Plan {
             choice.near_pressure != NearPressure::Off && scene.fluids().any(|fluid| fluid.near_stiffness != Some(0.0));
         let pulls = scene.fluids().any(|fluid| fluid.surface_tension != 0.0);
         let several = !scene.other_fluids.is_empty();
+        let live = |term: Live| scene.live.contains(&term);
+        let drags = drags || live(Live::Viscosity);
+        let pulls = pulls || live(Live::SurfaceTension);
         let blocks_differ = scene.blocks.iter().any(|b| b.dynamic_viscosity.is_some());
         Plan {
             model: Model {
                 near_pressure: if near { everything.model.near_pressure } else { near::NEAR_OFF },
                 viscosity: if drags { everything.model.viscosity } else { viscosity::NO_VISCOSITY },
                 exchange: u32::from(shears || fluid.radial_exchange != 0.0),
-                gravity: u32::from(scene.gravity != [0.0; 3]),
+                gravity: u32::from(scene.gravity != [0.0; 3] || live(Live::Gravity)),
                 buoyancy: u32::from(scene.ambient_density != 0.0),
-                wind: u32::from(scene.wind.is_some_and(|w| w.drag != 0.0)),
+                wind: u32::from(scene.wind.is_some_and(|w| w.drag != 0.0) || live(Live::Wind)),
                 walls: u32::from(scene.container.is_some()),
                 wall_particles: if scene.walls.is_empty() { wall::NO_WALLS } else { everything.model.wall_particles },
                 variable_support: u32::from(choice.variable_support.is_some()),

@@ -7,6 +7,7 @@ mod choice;
 mod elasticity;
 mod fluid;
 mod initial;
+mod live;
 mod model;
 mod surroundings;
 mod time;
@@ -19,6 +20,7 @@ pub use choice::{
 pub use elasticity::{Elasticity, Plasticity};
 pub use fluid::{Block, FLUIDS, Fluid};
 pub use initial::InitialParticle;
+pub use live::Live;
 pub use model::{Correction, ModelChoice, SupportRange};
 pub use surroundings::{Container, FieldLattice, Grid, Periodic, WALLS, Wall, WallShape, Wind};
 pub use time::Adaptive;
@@ -92,6 +94,10 @@ pub struct Scene {
     /// How neighbours are found.
     #[cfg_attr(feature = "serde", serde(default))]
     pub grid: Grid,
+    /// Terms that are kept although their coefficient is 0, because it may be changed between steps (default none: what does nothing
+    /// is left out, and costs nothing).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub live: Vec<Live, { Live::COUNT }>,
 }
 
 const AVERAGE_NEIGHBOURS: f32 = 32.0;
@@ -126,6 +132,7 @@ impl Scene {
             air: None,
             model: ModelChoice::default(),
             grid: Grid::default(),
+            live: Vec::new(),
         }
     }
 

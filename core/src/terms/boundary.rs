@@ -3,7 +3,7 @@
 use super::geometry::*;
 use super::wall::*;
 use crate::arithmetic::real::*;
-use crate::layout::{Model, Parameters};
+use crate::layout::{Model, Parameters, StepUniform};
 
 /// How far a particle stands behind the plane, m; negative in front of it.
 #[inline(always)]
@@ -40,22 +40,29 @@ pub fn put_back<R: Real>(position: vec3<R>, normal: vec3<R>, depth: R) -> vec3<R
 /// How much of the normal velocity is given back: all that `bounce` says, or, conserving energy (Kelager 2006; S0 figure
 /// 3.8), only the share of the step's path that lay behind the wall, `depth / (|v| dt)`, which is at most all of it.
 #[inline(always)]
-pub fn returned_share<R: Real>(m: &Model, p: &Parameters, velocity: vec3<R>, depth: R) -> R {
+pub fn returned_share<R: Real>(m: &Model, p: &Parameters, u: &StepUniform, velocity: vec3<R>, depth: R) -> R {
     let all: R = real(p.bounce);
     if m.reflection == 0 {
         return all;
     }
-    let path = root(length2(velocity)) * p.time_step;
+    let path = root(length2(velocity)) * u.time_step;
     return smaller(div(depth, path), real(1.0)) * all;
 }
 
 /// `v' = -bounce v_n + slip v_t` for a particle behind the wall (S0 3.5.1); one that already leaves it keeps its v_n.
 #[inline(always)]
-pub fn reflect<R: Real>(m: &Model, p: &Parameters, velocity: vec3<R>, normal: vec3<R>, depth: R) -> vec3<R> {
+pub fn reflect<R: Real>(
+    m: &Model,
+    p: &Parameters,
+    u: &StepUniform,
+    velocity: vec3<R>,
+    normal: vec3<R>,
+    depth: R,
+) -> vec3<R> {
     let along = dot3(velocity, normal);
     let leaving = larger(along, real(0.0));
     let entering = larger(-along, real(0.0));
-    let new_along = leaving + entering * returned_share(m, p, velocity, depth);
+    let new_along = leaving + entering * returned_share(m, p, u, velocity, depth);
     let tangent = (velocity - normal * along) * real(p.slip);
     let turned = tangent + normal * new_along;
     return flush3(select_if_behind(velocity, turned, depth));

@@ -3,7 +3,7 @@
 use super::integrate::*;
 use super::state::*;
 use crate::arithmetic::real::*;
-use crate::layout::{Model, Parameters};
+use crate::layout::{Model, Parameters, StepUniform};
 
 /// Towards the density that the speed of sound allows.
 pub const RELAXED: u32 = 0;
@@ -21,8 +21,8 @@ pub fn pressure_carried<R: Real>(m: &Model, before: R) -> R {
 
 /// Velocity that a particle would drift with in the next step, m/s.
 #[inline(always)]
-pub fn predicted_velocity<R: Real>(p: &Parameters, velocity: vec3<R>, acceleration: vec3<R>) -> vec3<R> {
-    return kick(velocity, acceleration, real(p.time_step));
+pub fn predicted_velocity<R: Real>(u: &StepUniform, velocity: vec3<R>, acceleration: vec3<R>) -> vec3<R> {
+    return kick(velocity, acceleration, real(u.time_step));
 }
 
 /// How far the next density would be off, over the rest density. `rate` is that of the deviation at the predicted velocities.
@@ -31,8 +31,16 @@ pub fn predicted_velocity<R: Real>(p: &Parameters, velocity: vec3<R>, accelerati
 /// sound; what density is off by already is mended in a few steps, since in one it would shake the particles. Literal (S0
 /// eq. 3.3): from no change at all.
 #[inline(always)]
-pub fn density_miss<R: Real>(m: &Model, p: &Parameters, pressure: R, deviation: R, rate: R, compressibility: R) -> R {
-    let change = rate * p.time_step;
+pub fn density_miss<R: Real>(
+    m: &Model,
+    p: &Parameters,
+    u: &StepUniform,
+    pressure: R,
+    deviation: R,
+    rate: R,
+    compressibility: R,
+) -> R {
+    let change = rate * u.time_step;
     if m.iteration == LITERAL {
         return change;
     }
@@ -43,8 +51,8 @@ pub fn density_miss<R: Real>(m: &Model, p: &Parameters, pressure: R, deviation: 
 /// around it in a step, `dt^2 V^2 / rho0 sum |grad W|^2`, with what keeps it finite, and the half by which Jacobi's iteration is
 /// kept from overshooting where all particles change at once.
 #[inline(always)]
-pub fn inverse_correction<R: Real>(p: &Parameters, thinning: R, offset: R) -> R {
-    return (thinning * (p.time_step * p.time_step) + offset) * 2.0;
+pub fn inverse_correction<R: Real>(u: &StepUniform, thinning: R, offset: R) -> R {
+    return (thinning * (u.time_step * u.time_step) + offset) * 2.0;
 }
 
 /// Pressure after an iteration, Pa: `P + k miss`, where k is `rho0 c0^2`, or what the lattice can bear.

@@ -4,7 +4,7 @@ use super::pair::*;
 use super::table::*;
 use super::wall::*;
 use crate::arithmetic::real::*;
-use crate::layout::{Model, Parameters, Tables};
+use crate::layout::{Model, Parameters, StepUniform, Tables};
 
 /// S0 eq. 2.10.
 pub const SUMMATION: u32 = 0;
@@ -107,8 +107,8 @@ pub fn deviation_rate<R: Real>(m: &Model, p: &Parameters, sum: R, mass: R, rest:
 
 /// The deviation a step later, the rate being taken where the particles were in the middle of it.
 #[inline(always)]
-pub fn deviation_stepped<R: Real>(p: &Parameters, deviation: R, rate: R) -> R {
-    return flush(deviation + rate * p.time_step);
+pub fn deviation_stepped<R: Real>(u: &StepUniform, deviation: R, rate: R) -> R {
+    return flush(deviation + rate * u.time_step);
 }
 
 /// Volume `V_a = 1 / delta_a` by the number density (Solenthaler and Pajarola 2008), m3 (m2 in 2D); a mirroring wall's is that

@@ -8,7 +8,7 @@ use super::kernel::*;
 use super::pair::*;
 use super::wall::*;
 use crate::arithmetic::real::*;
-use crate::layout::{Model, Parameters};
+use crate::layout::{Model, Parameters, StepUniform};
 
 /// Share of the difference to a neighbour that a particle takes: half of the gain, falling with distance, 0 for itself. Of
 /// two masses the lighter takes more, `m_b / ((m_a + m_b) / 2)`, so that what one gains in momentum the other loses.
@@ -53,6 +53,6 @@ pub fn exchange_neighbour<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Lo
 
 /// What makes of a change in a step an acceleration, 1/s, `shares` being their sum.
 #[inline(always)]
-pub fn exchange_close<R: Real>(p: &Parameters, shares: R) -> R {
-    return div(real(p.inverse_time_step), larger(shares, real(1.0)));
+pub fn exchange_close<R: Real>(u: &StepUniform, shares: R) -> R {
+    return div(real(u.inverse_time_step), larger(shares, real(1.0)));
 }

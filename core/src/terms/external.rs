@@ -1,13 +1,13 @@
 //! What acts from outside (S0 section 2.2.5): gravity, the buoyancy of what surrounds the fluid, wind, a field of the host's.
 use super::geometry::*;
 use crate::arithmetic::real::*;
-use crate::layout::{Model, Parameters};
+use crate::layout::{Model, Parameters, StepUniform};
 
 /// `g (1 - rho_ambient / rho_a)` (S4's body force), m/s2; all of g where nothing surrounds the fluid. `density` is over the
 /// first fluid's at rest.
 #[inline(always)]
-pub fn weight<R: Real>(m: &Model, p: &Parameters, density: R) -> vec3<R> {
-    let g = vec3(real(p.gravity[0]), real(p.gravity[1]), real(p.gravity[2]));
+pub fn weight<R: Real>(m: &Model, p: &Parameters, u: &StepUniform, density: R) -> vec3<R> {
+    let g = vec3(real(u.gravity[0]), real(u.gravity[1]), real(u.gravity[2]));
     if m.buoyancy == 0 {
         return g;
     }
@@ -17,9 +17,9 @@ pub fn weight<R: Real>(m: &Model, p: &Parameters, density: R) -> vec3<R> {
 
 /// `drag (wind - v)`, m/s2.
 #[inline(always)]
-pub fn wind_drag<R: Real>(p: &Parameters, velocity: vec3<R>) -> vec3<R> {
-    let wind = vec3(real(p.wind[0]), real(p.wind[1]), real(p.wind[2]));
-    return (wind - velocity) * real(p.wind[3]);
+pub fn wind_drag<R: Real>(u: &StepUniform, velocity: vec3<R>) -> vec3<R> {
+    let wind = vec3(real(u.wind[0]), real(u.wind[1]), real(u.wind[2]));
+    return (wind - velocity) * real(u.wind[3]);
 }
 
 /// Where a position lies between the nodes of the host's lattice, in spacings from the first.
@@ -43,16 +43,23 @@ pub fn field_share<R: Real>(m: &Model, place: vec3<R>, node: vec3<R>) -> R {
 
 /// All that acts from outside but the host's field, added to what the neighbours do, m/s2.
 #[inline(always)]
-pub fn external_close<R: Real>(m: &Model, p: &Parameters, driven: vec3<R>, velocity: vec3<R>, density: R) -> vec3<R> {
+pub fn external_close<R: Real>(
+    m: &Model,
+    p: &Parameters,
+    u: &StepUniform,
+    driven: vec3<R>,
+    velocity: vec3<R>,
+    density: R,
+) -> vec3<R> {
     if m.gravity == 0 {
         if m.wind == 0 {
             return flush3(driven);
         }
-        return flush3(driven + wind_drag(p, velocity));
+        return flush3(driven + wind_drag(u, velocity));
     }
-    let weighed = driven + weight(m, p, density);
+    let weighed = driven + weight(m, p, u, density);
     if m.wind == 0 {
         return flush3(weighed);
     }
-    return flush3(weighed + wind_drag(p, velocity));
+    return flush3(weighed + wind_drag(u, velocity));
 }

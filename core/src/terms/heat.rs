@@ -9,7 +9,7 @@ use super::neighbour::*;
 use super::pair::*;
 use super::viscosity::*;
 use crate::arithmetic::real::*;
-use crate::layout::{Model, Parameters, Tables};
+use crate::layout::{Model, Parameters, StepUniform, Tables};
 
 /// Share of a pair's loss that heats `a`: half, and all of it where `b` is a wall, which keeps no account.
 #[inline(always)]
@@ -50,6 +50,6 @@ pub fn heat_close<R: Real>(m: &Model, p: &Parameters, sum: R, a: Local<R>) -> R 
 
 /// Thermal energy a step later, J/kg: the mean of the rates at its two ends.
 #[inline(always)]
-pub fn heat_stepped<R: Real>(p: &Parameters, energy: R, rate_before: R, rate: R) -> R {
-    return flush(energy + (rate_before + rate) * p.half_time_step);
+pub fn heat_stepped<R: Real>(u: &StepUniform, energy: R, rate_before: R, rate: R) -> R {
+    return flush(energy + (rate_before + rate) * u.half_time_step);
 }

@@ -4,7 +4,7 @@
 //! the two languages share: functions, `let`, `if`, `return`, `+ - *`, the words of
 //! [`real`](crate::arithmetic::real), `vec3`, plain structs and `u32` constants. Literals stand on the right of an
 //! operator, a literal 0 is never an operand of `+ - *`, attributes take one line. A function that reads the scene's
-//! constants takes `m: &Model`, `p: &Parameters`, `t: &Tables` first, in this order; in WGSL these are global and the filter
+//! constants takes `m: &Model`, `p: &Parameters`, `u: &StepUniform`, `t: &Tables` first, in this order; in WGSL these are global and the filter
 //! drops them.
 //!
 //! Accelerations are sums of force densities (N/m3) divided by the density of the receiving particle.

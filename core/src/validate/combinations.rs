@@ -5,7 +5,7 @@ use crate::derive::scales::Scales;
 use crate::error::SceneError;
 use crate::scene::{
     Air, Correction, DensityForm, Elasticity, EquationOfState, Evaluation, Fluid, GridStructure, Iteration, Kernel,
-    NearPressure, PressureForce, Scene, SurfaceTension, Viscosity, WallPressure,
+    Live, NearPressure, PressureForce, Scene, SurfaceTension, Viscosity, WallPressure,
 };
 
 /// Spacings that sound may travel in a step of the literal pressure correction: beyond, its iteration grows (errata of S0
@@ -26,6 +26,7 @@ pub(super) fn check(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
     springs(scene)?;
     air(scene, scales)?;
     integrator(scene)?;
+    live(scene)?;
     let model = &scene.model;
     let one_sided = matches!(model.pressure_force, PressureForce::Canonical | PressureForce::Difference);
     if model.thermal_energy && one_sided {
@@ -55,6 +56,22 @@ pub(super) fn check(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
     }
     if model.hydrostatic_start && scene.gravity == [0.0; 3] {
         return Err(not_together("model.hydrostatic_start", "no gravity", "there is no weight to hold"));
+    }
+    Ok(())
+}
+
+/// A term can only be kept where there is a form of it.
+fn live(scene: &Scene) -> Result<(), SceneError> {
+    let lists = |term: Live| scene.live.contains(&term);
+    if lists(Live::SurfaceTension) && scene.model.surface_tension == SurfaceTension::Off {
+        return Err(not_together("live SurfaceTension", "model.surface_tension Off", "there is no term to keep"));
+    }
+    if lists(Live::Viscosity) && matches!(scene.model.viscosity, Viscosity::Artificial | Viscosity::Exchange) {
+        return Err(not_together(
+            "live Viscosity",
+            "model.viscosity Artificial or Exchange",
+            "these have coefficients of their own, which stay as they are",
+        ));
     }
     Ok(())
 }

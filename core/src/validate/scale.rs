@@ -6,14 +6,14 @@ use crate::scene::Scene;
 
 /// Refuses what follows where no f32 holds it, by the field that it follows from.
 pub(super) fn check(scene: &Scene, derived: &Derived) -> Result<(), SceneError> {
-    let p = &derived.parameters;
+    let (p, materials) = (&derived.parameters, &derived.materials);
     let scale = |field, value, derived: &[f32]| {
         let fine = derived.iter().all(|d| d.is_finite() && *d > 0.0);
         if fine { Ok(()) } else { Err(SceneError::OutOfScale { field, value }) }
     };
     for (number, (fluid, constants)) in scene.fluids().zip(&derived.fluids).enumerate() {
-        let [state, near, ..] = p.states[number];
-        let [thinning, offset, compressibility, _] = p.corrections[number];
+        let [state, near, ..] = materials.states[number];
+        let [thinning, offset, compressibility, _] = materials.corrections[number];
         let correction = thinning * scene.time_step * scene.time_step + offset;
         scale(field!(number, "speed_of_sound"), fluid.speed_of_sound, &[state, compressibility])?;
         if !near.is_finite() || (near == 0.0 && constants.near_stiffness > 0.0) {
@@ -24,13 +24,13 @@ pub(super) fn check(scene: &Scene, derived: &Derived) -> Result<(), SceneError> 
             return Err(SceneError::OutOfScale { field, value });
         }
         scale("time_step", scene.time_step, &[correction, 1.0 / correction])?;
-        scale(field!(number, "rest_density"), fluid.rest_density, &[p.species[number][2]])?;
+        scale(field!(number, "rest_density"), fluid.rest_density, &[materials.species[number][2]])?;
         if fluid.elastic_stiffness > 0.0 {
             let pull = constants.spring_pull as f32;
             scale(field!(number, "elastic_stiffness"), fluid.elastic_stiffness, &[pull])?;
         }
     }
-    scale("time_step", scene.time_step, &[p.inverse_time_step])?;
+    scale("time_step", scene.time_step, &[derived.step.inverse_time_step])?;
     scale("fluid.rest_density", scene.fluid.rest_density, &[p.particle_mass])?;
     let of_length = [
         p.density_constant,

@@ -7,13 +7,13 @@ fn lookup(table: u32, entry: R) -> R {
 // The kind of a particle, and what it has of its own. Twin: core/src/passes/lanes.rs.
 fn kind_index(w: f32) -> u32 {
   if m.species == 0u { return 0u; }
-  return min(u32(w), SPECIES - 1u);
+  return min(u32(w), MATERIALS - 1u);
 }
-fn kind(w: f32) -> f32x4 { return p.species[kind_index(w)]; }
+fn kind(w: f32) -> f32x4 { return materials.species[kind_index(w)]; }
 // Is it of air that is not there?
 fn is_dormant(w: f32) -> bool { return m.air == 1u && kind(w).y > 1.0f; }
 fn stiffness_of(w: f32) -> Stiffness {
-  let states = p.states[kind_index(w)];
-  let corrections = p.corrections[kind_index(w)];
+  let states = materials.states[kind_index(w)];
+  let corrections = materials.corrections[kind_index(w)];
   return Stiffness(states.x, states.y, corrections.x, corrections.y, corrections.z);
 }

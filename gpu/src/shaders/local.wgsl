@@ -4,8 +4,8 @@ fn local(a: u32) -> Local {
   let v = new_velocity[a];
   let state = new_density_pressure[a];
   let own = kind(v.w);
-  let states = p.states[kind_index(v.w)];
-  let tension = p.corrections[kind_index(v.w)].w;
+  let states = materials.states[kind_index(v.w)];
+  let tension = materials.corrections[kind_index(v.w)].w;
   var support = 1.0f;
   if m.variable_support == 1u { support = support_ratio[a]; }
   return Local(x.xyz, v.xyz, support, x.w, state.x, state.y, state.z, state.w,

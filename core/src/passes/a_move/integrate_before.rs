@@ -42,7 +42,8 @@ fn work(job: &mut Job<'_>) {
 impl Work for &mut Job<'_> {
     #[inline(always)]
     fn run<R: Real>(self) {
-        let (m, p, old) = (self.setup.model, self.setup.parameters, self.old);
+        let Setup { model: m, parameters: p, materials, uniform: u, .. } = self.setup;
+        let old = self.old;
         // mass and kind go with them
         self.moved_position.copy_from_slice(&old.position[self.slots.clone()]);
         self.moved_velocity.copy_from_slice(&old.velocity[self.slots.clone()]);
@@ -52,15 +53,15 @@ impl Work for &mut Job<'_> {
             let (x, v) = (load::<R>(old.position, first, last), load::<R>(old.velocity, first, last));
             let a = load(old.acceleration, first, last);
             let history = load_if_any(old.history, first, last);
-            let mut place = moved(m, p, x, v, a, history);
+            let mut place = moved(m, u, x, v, a, history);
             if m.xsph == 1 {
-                place = drift(place, load(old.xsph_velocity, first, last), real(p.time_step));
+                place = drift(place, load(old.xsph_velocity, first, last), real(u.time_step));
             }
             if m.wall_particles != 0 || m.air == 1 {
-                place = only_if_free(m, x, place, row_of(m, &p.species, old.velocity, first, last, 1));
+                place = only_if_free(m, x, place, row_of(m, &materials.species, old.velocity, first, last, 1));
             }
             let own = first - self.slots.start..end - self.slots.start;
-            store_xyz(&mut self.moved_velocity[own.clone()], velocity_for_forces(m, p, v, a, history));
+            store_xyz(&mut self.moved_velocity[own.clone()], velocity_for_forces(m, u, v, a, history));
             store_xyz(&mut self.moved_position[own], wrap(m, p, place));
         }
     }

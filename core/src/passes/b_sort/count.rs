@@ -47,7 +47,7 @@ fn find(
     }
     executor.run(&mut jobs, |job| {
         for (((cell, x), v), id) in job.cell.iter_mut().zip(job.position).zip(job.velocity).zip(job.id) {
-            if m.air == 1 && is_dormant(p, v[3]) {
+            if m.air == 1 && is_dormant(setup.materials, v[3]) {
                 *cell = p.cells[3] - 1;
                 continue;
             }

@@ -46,12 +46,12 @@ impl<R: Real> Near<'_, R> {
     /// Mass of `b`, over that of a particle of the first fluid.
     #[inline(always)]
     fn mass(&self, b: usize) -> R {
-        let (m, p) = (self.setup.model, self.setup.parameters);
+        let m = self.setup.model;
         let mass = real(self.particles.position[b][3]);
         if m.fluids == 0 {
             return mass;
         }
-        let [_, wall, rest, _] = p.species[kind(self.particles.velocity[b][3])].map(real);
+        let [_, wall, rest, _] = self.setup.materials.species[kind(self.particles.velocity[b][3])].map(real);
         mass_seen(m, self.rest_a, mass, rest, wall)
     }
 
@@ -66,7 +66,7 @@ impl<R: Real> Near<'_, R> {
         let added = if is_stepped(m) {
             // where the pair was in the middle of the step
             let v_ab = self.v_a - vec3::splat(self.particles.velocity[b]);
-            let x_ab = x_ab - v_ab * real(p.half_time_step);
+            let x_ab = x_ab - v_ab * real(self.setup.uniform.half_time_step);
             if_inside(q2, continuity_neighbour(m, p, t, x_ab, v_ab, mass_b, scale))
         } else {
             summed_neighbour(m, t, mass_b, q2, scale)
@@ -89,10 +89,10 @@ impl PairPass for Density<'_> {
     #[inline(always)]
     fn block<R: Real>(&self, block: &Block<'_>, own: &mut [f32x4]) -> u32 {
         let (setup, particles) = (block.setup, block.particles);
-        let (m, p) = (setup.model, setup.parameters);
+        let Setup { model: m, parameters: p, materials, uniform: u, .. } = *setup;
         let (first, last) = (block.first, block.last);
         // those of a cell are all inactive, or none
-        if m.air == 1 && is_dormant(p, particles.velocity[first][3]) {
+        if m.air == 1 && is_dormant(setup.materials, particles.velocity[first][3]) {
             own.fill([0.0, 0.0, 0.0, p.rest_volume]);
             return 0;
         }
@@ -105,33 +105,33 @@ impl PairPass for Density<'_> {
             x_a: core::hint::black_box(load(particles.position, first, last)),
             v_a: load(particles.velocity, first, last),
             support_a: particles.supports(setup, first, last),
-            rest_a: row(&p.species, 2),
+            rest_a: row(&materials.species, 2),
         };
         let [sum, near_sum, number_sum] = fold!(block, [none; 3], |sums, b| near.add(sums, b));
         let previous = |i| load_one::<R>(self.previous, first, last, i);
         let mass = load_one::<R>(particles.position, first, last, 3);
         let stiffness = particles.stiffness::<R>(setup, first, last);
         let mut deviation = if is_stepped(m) {
-            deviation_stepped(p, previous(0), deviation_rate(m, p, sum, mass, near.rest_a))
+            deviation_stepped(u, previous(0), deviation_rate(m, p, sum, mass, near.rest_a))
         } else {
             deviation_of_sum(m, p, sum, mass, near.rest_a)
         };
         let mut pressure = if m.corrects_pressure() {
             pressure_carried(m, previous(1))
         } else {
-            pressure_of_state(m, deviation, stiffness.state, row(&p.states, 3))
+            pressure_of_state(m, deviation, stiffness.state, row(&materials.states, 3))
         };
         pressure = pressure_close(m, pressure);
         let mut near_pressure = near_pressure_close(m, deviation, near_sum, stiffness.near);
         if m.wall_particles == MIRRORED {
-            let wall = less(none, row(&p.species, 1));
+            let wall = less(none, row(&materials.species, 1));
             deviation = select(deviation, none, wall);
             pressure = select(pressure, none, wall);
             near_pressure = select(near_pressure, none, wall);
         }
         let mut volume = volume_close(p, mass, deviation);
         if m.numbers == 1 {
-            volume = volume_by_number(m, p, volume, number_sum, row(&p.species, 1));
+            volume = volume_by_number(m, p, volume, number_sum, row(&materials.species, 1));
         }
         for (lane, own) in own.iter_mut().enumerate() {
             let of = |x: R| x.lane(lane);

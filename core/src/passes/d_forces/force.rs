@@ -35,7 +35,7 @@ impl PairPass for Force {
     #[inline(always)]
     fn block<R: Real>(&self, block: &Block<'_>, own: &mut [f32x4]) -> u32 {
         let (setup, particles) = (block.setup, block.particles);
-        let (m, p, t) = (setup.model, setup.parameters, setup.tables);
+        let (m, p, u, t) = (setup.model, setup.parameters, setup.uniform, setup.tables);
         if particles.are_walls(setup, block.first, block.last) {
             own.fill([0.0; 4]);
             return 0;
@@ -50,12 +50,12 @@ impl PairPass for Force {
                 let b = particles.neighbour(setup, b);
                 (change + exchange_neighbour(m, p, a, b), shares + exchange_share(m, p, a, b))
             });
-            driven = driven + change * exchange_close(p, shares);
+            driven = driven + change * exchange_close(u, shares);
         }
         if m.field == 1 {
             driven = driven + field::at(setup, a.position);
         }
-        let acceleration = external_close(m, p, driven, a.velocity, density_ratio(m, a.deviation, a.rest));
+        let acceleration = external_close(m, p, u, driven, a.velocity, density_ratio(m, a.deviation, a.rest));
         store(own, core::hint::black_box(if_free(m, acceleration, a.wall)));
         0
     }

@@ -23,7 +23,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepErro
             for end in springs.ends(id as u32) {
                 let [other, length] = springs.ends[end];
                 let x_ab = springs.separation_from(&setup, x_a, other);
-                let given = spring_given_way(setup.parameters, x_ab, f32::from_bits(length));
+                let given = spring_given_way(setup.parameters, setup.uniform, x_ab, f32::from_bits(length));
                 own[end - *first_end] = [other, given.to_bits()];
             }
         }

@@ -35,20 +35,20 @@ impl PairPass for PressureCorrect<'_> {
     #[inline(always)]
     fn block<R: Real>(&self, block: &Block<'_>, own: &mut [f32x4]) -> u32 {
         let (setup, particles) = (block.setup, block.particles);
-        let (m, p, t) = (setup.model, setup.parameters, setup.tables);
+        let (m, p, u, t) = (setup.model, setup.parameters, setup.uniform, setup.tables);
         let (first, last) = (block.first, block.last);
         // those of a cell are all of air that is not there, or none
-        let absent = m.air == 1 && is_dormant(p, particles.velocity[first][3]);
+        let absent = m.air == 1 && is_dormant(setup.materials, particles.velocity[first][3]);
         if absent || (m.wall_particles == MIRRORED && particles.are_walls(setup, first, last)) {
             return 0;
         }
         let a = particles.receivers::<R>(setup, first, last);
-        let v_a = predicted_velocity(p, a.velocity, load(self.acceleration, first, last));
+        let v_a = predicted_velocity(u, a.velocity, load(self.acceleration, first, last));
         let rate = fold!(block, real::<R>(0.0), |rate, index| {
             let b = particles.neighbour::<R>(setup, index);
             let x_ab = separation(m, p, a.position, b.position);
             let scale = pair_scale(m, a.support, b.support);
-            let v_ab = v_a - predicted_velocity(p, b.velocity, vec3::splat(self.acceleration[index]));
+            let v_ab = v_a - predicted_velocity(u, b.velocity, vec3::splat(self.acceleration[index]));
             let q2 = squared_ratio(m, p, x_ab, scale);
             let mass = mass_seen(m, a.rest, b.mass, b.rest, b.wall);
             rate + if_inside(q2, continuity_neighbour(m, p, t, x_ab, v_ab, mass, scale))
@@ -56,8 +56,8 @@ impl PairPass for PressureCorrect<'_> {
         let (deviation, before) = (load_own(own, 0), load_own(own, 1));
         let k = particles.stiffness::<R>(setup, first, last);
         let rate = deviation_rate(m, p, rate, a.mass, a.rest);
-        let miss = density_miss(m, p, before, deviation, rate, k.compressibility);
-        let inverse = inverse_correction(p, k.thinning, k.offset);
+        let miss = density_miss(m, p, u, before, deviation, rate, k.compressibility);
+        let inverse = inverse_correction(u, k.thinning, k.offset);
         let mut after = pressure_corrected(m, before, miss, inverse);
         if m.wall_particles == MIRRORED {
             after = select(after, real(0.0), less(real(0.0), a.wall));

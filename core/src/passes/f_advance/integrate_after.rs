@@ -59,7 +59,7 @@ fn work(job: &mut Job<'_>) {
 impl Work for &mut Job<'_> {
     #[inline(always)]
     fn run<R: Real>(self) {
-        let (m, p) = (self.setup.model, self.setup.parameters);
+        let Setup { model: m, parameters: p, materials, uniform: u, .. } = self.setup;
         let count = self.velocity.len();
         for first in (0..count).step_by(R::LANES) {
             let end = (first + R::LANES).min(count);
@@ -68,25 +68,25 @@ impl Work for &mut Job<'_> {
             let earlier = load_if_any(self.earlier, first, last);
             let before = load_if_any(self.history, first, last);
             let mut v = if self.ahead.is_empty() {
-                velocity_after(m, p, load(self.velocity, first, last), a, earlier, before)
+                velocity_after(m, u, load(self.velocity, first, last), a, earlier, before)
             } else {
                 load(self.ahead, first, last)
             };
-            let mut history = history_after(m, p, earlier, before);
+            let mut history = history_after(m, u, earlier, before);
             if m.walls == 1 || moves_again(m) {
                 let mut x = load::<R>(self.position, first, last);
-                let wall = row_of::<R>(m, &p.species, self.velocity, first, last, 1);
+                let wall = row_of::<R>(m, &materials.species, self.velocity, first, last, 1);
                 if moves_again(m) {
-                    x = wrap(m, p, only_if_free(m, x, position_after(m, p, x, a, earlier, before), wall));
+                    x = wrap(m, p, only_if_free(m, x, position_after(m, u, x, a, earlier, before), wall));
                 }
                 if m.walls == 1 {
                     for plane in &p.planes[..p.plane_count as usize] {
                         let normal = vec3::splat(*plane);
                         let depth = depth_if_free(m, depth_behind(x, normal, real(plane[3])), wall);
-                        v = reflect(m, p, v, normal, depth);
+                        v = reflect(m, p, u, v, normal, depth);
                         x = put_back(x, normal, depth);
                         if has_history(m) {
-                            history = select_if_behind(history, history_turned(m, p, v, a, history), depth);
+                            history = select_if_behind(history, history_turned(m, u, v, a, history), depth);
                         }
                     }
                 }

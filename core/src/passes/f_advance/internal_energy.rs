@@ -32,9 +32,9 @@ impl PairPass for InternalEnergy<'_> {
     #[inline(always)]
     fn block<R: Real>(&self, block: &Block<'_>, own: &mut [f32x4]) -> u32 {
         let (setup, particles) = (block.setup, block.particles);
-        let (m, p, t) = (setup.model, setup.parameters, setup.tables);
+        let (m, p, u, t) = (setup.model, setup.parameters, setup.uniform, setup.tables);
         let (first, last) = (block.first, block.last);
-        if m.air == 1 && is_dormant(p, particles.velocity[first][3]) {
+        if m.air == 1 && is_dormant(setup.materials, particles.velocity[first][3]) {
             // as fresh as whoever is made of it next
             own.fill([p.air_heat, 0.0, 0.0, 0.0]);
             return 0;
@@ -56,13 +56,13 @@ impl PairPass for InternalEnergy<'_> {
                 let v_ab = v_a - vec3::splat(self.ahead[index]);
                 (heat + exchange_heat(m, p, a, b, v_ab), shares + exchange_share(m, p, a, b))
             });
-            rate = rate + heat * exchange_close(p, shares);
+            rate = rate + heat * exchange_close(u, shares);
         }
-        let energy = heat_stepped(p, load_own(own, 0), load_own(own, 1), rate);
+        let energy = heat_stepped(u, load_own(own, 0), load_own(own, 1), rate);
         for (lane, own) in own.iter_mut().enumerate() {
             // a wall keeps no account
             let velocity = particles.velocity[first + lane];
-            if !is_wall(p, velocity[3]) {
+            if !is_wall(setup.materials, velocity[3]) {
                 *own = [energy.lane(lane), rate.lane(lane), 0.0, 0.0];
             }
         }

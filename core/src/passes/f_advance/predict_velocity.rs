@@ -48,13 +48,13 @@ fn work(job: &mut Job<'_>) {
 impl Work for &mut Job<'_> {
     #[inline(always)]
     fn run<R: Real>(self) {
-        let (m, p) = (self.setup.model, self.setup.parameters);
+        let (m, u) = (self.setup.model, self.setup.uniform);
         let count = self.ahead.len();
         self.ahead.copy_from_slice(self.velocity);
         for first in (0..count).step_by(R::LANES) {
             let end = (first + R::LANES).min(count);
             let of = |array: &[f32x4]| load_if_any::<R>(array, first, end - 1);
-            let v = velocity_after(m, p, of(self.velocity), of(self.acceleration), of(self.earlier), of(self.history));
+            let v = velocity_after(m, u, of(self.velocity), of(self.acceleration), of(self.earlier), of(self.history));
             store_xyz(&mut self.ahead[first..end], v);
         }
     }

@@ -1,6 +1,6 @@
 //! What becomes of a step: it counts, or it failed and says why.
 use crate::error::{Axis, StepError};
-use crate::layout::{NONE, QUANTITIES_OF_ID, Status};
+use crate::layout::{MOST_ATTEMPTS, NONE, QUANTITIES_OF_ID, Status};
 use crate::passes::context::Step;
 use crate::plan::arrays::Quantity;
 
@@ -27,6 +27,9 @@ pub fn verdict(status: &Status, places: u32) -> Result<(), StepError> {
         let particle = status.not_finite / QUANTITIES_OF_ID;
         let quantity = Quantity::from_word(status.not_finite % QUANTITIES_OF_ID);
         return Err(StepError::NotFinite { particle, quantity, step });
+    }
+    if status.undone >= MOST_ATTEMPTS {
+        return Err(StepError::NoTimeStep { attempts: status.undone, step });
     }
     Ok(())
 }

@@ -37,8 +37,8 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepErro
 }
 
 fn of_particle(setup: &Setup<'_>, v: f32x4, a: f32x4, density_pressure: f32x4) -> Maxima {
-    let (m, p) = (setup.model, setup.parameters);
-    let [.., sound, equation] = p.states[if m.species == 1 { kind(v[3]) } else { 0 }];
+    let m = setup.model;
+    let [.., sound, equation] = setup.materials.states[if m.species == 1 { kind(v[3]) } else { 0 }];
     Maxima {
         speed2: bounded_square(vec3::<f32>::splat(v)),
         acceleration2: bounded_square(vec3::<f32>::splat(a)),

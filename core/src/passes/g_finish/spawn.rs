@@ -22,7 +22,7 @@ pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) -> Result<(), StepError> {
     let mut ids = 0..first_air;
     for id in first_air..slots {
         let slot = new.slot_of_id[id] as usize;
-        if !is_dormant(p, new.velocity[slot][3]) {
+        if !is_dormant(step.setup.materials, new.velocity[slot][3]) {
             let thin = is_thin(p, new.density_pressure[slot][0]) > 0.0;
             if thin {
                 set(p.rest_volume, new, slot, [0.0, 0.0, 0.0, DORMANT as f32]);

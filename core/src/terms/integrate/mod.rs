@@ -5,7 +5,7 @@
 //! [`VERLET`], the last displacement, and with the three of Beeman the acceleration before.
 use super::geometry::*;
 use crate::arithmetic::real::*;
-use crate::layout::{Model, Parameters};
+use crate::layout::{Model, Parameters, StepUniform};
 
 pub mod beeman;
 pub mod clavet;
@@ -81,9 +81,9 @@ pub fn needs_predicted_velocity(m: &Model) -> bool {
 
 /// Where forces are evaluated, m.
 #[inline(always)]
-pub fn moved<R: Real>(m: &Model, p: &Parameters, x: vec3<R>, v: vec3<R>, a: vec3<R>, history: vec3<R>) -> vec3<R> {
-    let dt: R = real(p.time_step);
-    let half_dt: R = real(p.half_time_step);
+pub fn moved<R: Real>(m: &Model, u: &StepUniform, x: vec3<R>, v: vec3<R>, a: vec3<R>, history: vec3<R>) -> vec3<R> {
+    let dt: R = real(u.time_step);
+    let half_dt: R = real(u.half_time_step);
     if m.integrator == EULER {
         return flush3(euler_position(x, v, dt));
     }
@@ -110,10 +110,10 @@ pub fn moved<R: Real>(m: &Model, p: &Parameters, x: vec3<R>, v: vec3<R>, a: vec3
 
 /// With which velocity, m/s.
 #[inline(always)]
-pub fn velocity_for_forces<R: Real>(m: &Model, p: &Parameters, v: vec3<R>, a: vec3<R>, history: vec3<R>) -> vec3<R> {
-    let half_dt: R = real(p.half_time_step);
+pub fn velocity_for_forces<R: Real>(m: &Model, u: &StepUniform, v: vec3<R>, a: vec3<R>, history: vec3<R>) -> vec3<R> {
+    let half_dt: R = real(u.half_time_step);
     if knows_velocity(m) {
-        return flush3(euler_velocity(v, a, real(p.time_step)));
+        return flush3(euler_velocity(v, a, real(u.time_step)));
     }
     if m.integrator == MODIFIED_VELOCITY_VERLET {
         return flush3(modified_verlet_kick(v, a, half_dt));
@@ -128,19 +128,19 @@ pub fn velocity_for_forces<R: Real>(m: &Model, p: &Parameters, v: vec3<R>, a: ve
 #[inline(always)]
 pub fn velocity_after<R: Real>(
     m: &Model,
-    p: &Parameters,
+    u: &StepUniform,
     v: vec3<R>,
     new_a: vec3<R>,
     a: vec3<R>,
     history: vec3<R>,
 ) -> vec3<R> {
-    let dt: R = real(p.time_step);
-    let half_dt: R = real(p.half_time_step);
+    let dt: R = real(u.time_step);
+    let half_dt: R = real(u.half_time_step);
     if knows_velocity(m) {
         return v;
     }
     if m.integrator == VERLET {
-        return flush3(verlet_velocity(verlet_displacement(history, a, dt), new_a, real(p.inverse_time_step), half_dt));
+        return flush3(verlet_velocity(verlet_displacement(history, a, dt), new_a, real(u.inverse_time_step), half_dt));
     }
     if m.integrator == VELOCITY_VERLET {
         return flush3(velocity_verlet_velocity(v, new_a, a, half_dt));
@@ -167,13 +167,13 @@ pub fn velocity_after<R: Real>(
 #[inline(always)]
 pub fn position_after<R: Real>(
     m: &Model,
-    p: &Parameters,
+    u: &StepUniform,
     x: vec3<R>,
     new_a: vec3<R>,
     a: vec3<R>,
     history: vec3<R>,
 ) -> vec3<R> {
-    let dt: R = real(p.time_step);
+    let dt: R = real(u.time_step);
     if m.integrator == PREDICTION_RELAXATION {
         return flush3(clavet_relaxation(x, new_a, dt));
     }
@@ -185,18 +185,27 @@ pub fn position_after<R: Real>(
 
 /// What the next step is to remember.
 #[inline(always)]
-pub fn history_after<R: Real>(m: &Model, p: &Parameters, a: vec3<R>, history: vec3<R>) -> vec3<R> {
+pub fn history_after<R: Real>(m: &Model, u: &StepUniform, a: vec3<R>, history: vec3<R>) -> vec3<R> {
     if m.integrator == VERLET {
-        return flush3(verlet_displacement(history, a, real(p.time_step)));
+        return flush3(verlet_displacement(history, a, real(u.time_step)));
     }
     return a;
 }
 
 /// What a step is to remember of a particle that a wall has just turned, or that has only begun to move.
 #[inline(always)]
-pub fn history_turned<R: Real>(m: &Model, p: &Parameters, v: vec3<R>, new_a: vec3<R>, history: vec3<R>) -> vec3<R> {
+pub fn history_turned<R: Real>(m: &Model, u: &StepUniform, v: vec3<R>, new_a: vec3<R>, history: vec3<R>) -> vec3<R> {
     if m.integrator == VERLET {
-        return flush3(verlet_start(v, new_a, real(p.time_step), real(p.half_time_step)));
+        return flush3(verlet_start(v, new_a, real(u.time_step), real(u.half_time_step)));
+    }
+    return history;
+}
+
+/// What a step is to remember where it is so many times as long as the one before: of [`VERLET`] the displacement at the same velocity.
+#[inline(always)]
+pub fn history_rescaled<R: Real>(m: &Model, history: vec3<R>, times: R) -> vec3<R> {
+    if m.integrator == VERLET {
+        return flush3(history * times);
     }
     return history;
 }

@@ -39,7 +39,7 @@ fn pass_body(a: u32) {
         if is_stepped() {
           // where the pair was in the middle of the step
           let v_ab = v_a.xyz - new_velocity[b].xyz;
-          sum = sum + continuity_neighbour(x_ab - v_ab * p.half_time_step, v_ab, mass_b, scale);
+          sum = sum + continuity_neighbour(x_ab - v_ab * u.half_time_step, v_ab, mass_b, scale);
         } else {
           sum = sum + summed_neighbour(mass_b, q2, scale);
         }
@@ -59,7 +59,7 @@ fn pass_body(a: u32) {
   if m.equation_of_state == PRESSURE_CORRECTION {
     pressure = pressure_carried(previous_density_pressure[a].y);
   } else {
-    pressure = pressure_of_state(deviation, k.state, p.states[kind_index(v_a.w)].w);
+    pressure = pressure_of_state(deviation, k.state, materials.states[kind_index(v_a.w)].w);
   }
   let near_pressure = near_pressure_close(deviation, near_sum, k.near);
   var volume = volume_close(x_a.w, deviation);

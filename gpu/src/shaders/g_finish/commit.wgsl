@@ -9,7 +9,7 @@ fn set_step(step: f32) {
 
 // Sets the next time step. False where this one is to be made again by it.
 fn counts() -> bool {
-  let step = p.time_step;
+  let step = u.time_step;
   var wanted = step;
   if m.adaptive == 1u {
     let fastest = bitcast<f32>(atomicExchange(&head.status.fastest, 0u));
@@ -51,7 +51,13 @@ fn pass_body(thread: u32) {
   let refused = atomicExchange(&head.status.refused, 0u);
   atomicStore(&head.status.settled, 0u);
   if !counts() {
-    atomicStore(&head.status.failed, 2u);
+    if atomicLoad(&head.status.undone) < MOST_ATTEMPTS {
+      atomicStore(&head.status.failed, 2u);
+      return;
+    }
+    // no step is short enough, so it seems
+    atomicStore(&head.status.failed, 1u);
+    set_step(head.status.first_time_step);
     return;
   }
   atomicAdd(&head.status.steps, 1u);

@@ -64,7 +64,7 @@ fn pass_body(thread: u32) {
     let slot = new_slot_of_id[id];
     if !is_dormant(new_velocity[slot].w) {
       if is_thin(new_density_pressure[slot].x) > 0.0f {
-        renew(slot, vec4(0.0f, 0.0f, 0.0f, f32(SPECIES - 1u)));
+        renew(slot, vec4(0.0f, 0.0f, 0.0f, f32(MATERIALS - 1u)));
       } else {
         alive += 1u;
       }

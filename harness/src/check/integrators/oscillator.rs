@@ -2,7 +2,7 @@
 use super::scheme::Scheme;
 use millpond_core::arithmetic::double::Double;
 use millpond_core::arithmetic::real::{Real, real, vec3};
-use millpond_core::layout::{Model, Parameters};
+use millpond_core::layout::{Model, StepUniform};
 use millpond_core::terms::integrate::{
     MODIFIED_VELOCITY_VERLET, history_after, history_turned, is_beeman, moved, position_after, velocity_after,
     velocity_for_forces,
@@ -80,7 +80,7 @@ pub struct Motion<R> {
     oscillator: Oscillator,
     twice: bool,
     model: Model,
-    parameters: Parameters,
+    uniform: StepUniform,
     x: vec3<R>,
     v: vec3<R>,
     a: vec3<R>,
@@ -92,7 +92,7 @@ impl<R: Precision> Motion<R> {
     #[must_use]
     pub fn start(scheme: Scheme, oscillator: Oscillator, time_step: f32, [x, v]: [f64; 2]) -> Motion<R> {
         let model = Model { integrator: scheme.integrator as u32, ..bytemuck::Zeroable::zeroed() };
-        let parameters = steps_of(time_step);
+        let uniform = steps_of(time_step);
         let (x, v) = (along_x(x), along_x(v));
         let a = oscillator.acceleration(x, v);
         let history = if is_beeman(&model) {
@@ -100,9 +100,9 @@ impl<R: Precision> Motion<R> {
             let (back, p) = (Model { integrator: MODIFIED_VELOCITY_VERLET, ..model }, steps_of(-time_step));
             oscillator.acceleration(moved(&back, &p, x, v, a, a), velocity_for_forces(&back, &p, v, a, a))
         } else {
-            history_turned(&model, &parameters, v, a, a)
+            history_turned(&model, &uniform, v, a, a)
         };
-        Motion { oscillator, twice: scheme.twice, model, parameters, x, v, a, history }
+        Motion { oscillator, twice: scheme.twice, model, uniform, x, v, a, history }
     }
 
     /// The same with another history: of Verlet the last displacement, m, of the three of Beeman the acceleration before, m/s2.
@@ -113,7 +113,7 @@ impl<R: Precision> Motion<R> {
 
     /// One time step.
     pub fn step(&mut self) {
-        let (m, p, earlier, history) = (&self.model, &self.parameters, self.a, self.history);
+        let (m, p, earlier, history) = (&self.model, &self.uniform, self.a, self.history);
         let x = moved(m, p, self.x, self.v, earlier, history);
         let v = velocity_for_forces(m, p, self.v, earlier, history);
         let a = self.oscillator.acceleration(x, v);
@@ -142,9 +142,9 @@ impl<R: Precision> Motion<R> {
     }
 }
 
-fn steps_of(time_step: f32) -> Parameters {
+fn steps_of(time_step: f32) -> StepUniform {
     let (half_time_step, inverse_time_step) = (0.5 * time_step, 1.0 / time_step);
-    Parameters { time_step, half_time_step, inverse_time_step, ..bytemuck::Zeroable::zeroed() }
+    StepUniform { time_step, half_time_step, inverse_time_step, ..bytemuck::Zeroable::zeroed() }
 }
 
 fn along_x<R: Precision>(x: f64) -> vec3<R> {

@@ -1,0 +1,166 @@
+//! What can be changed between steps: the scene is changed, checked as at creation, and all that follows from it follows again.
+use crate::derive::Derived;
+use crate::error::SceneError;
+use crate::layout::{Materials, Model, Parameters, StepUniform};
+use crate::scene::{Fluid, Integrator, Live, Scene, Viscosity, Wind};
+
+/// A change between two steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Change {
+    /// Acceleration of gravity, m/s2.
+    Gravity([f32; 3]),
+    /// The wind, or none.
+    Wind(Option<Wind>),
+    /// The time step, s.
+    TimeStep(f32),
+    /// The dynamic viscosity of a fluid by number, Pa s.
+    Viscosity(u32, f32),
+    /// The surface tension of a fluid by number ([`Fluid::surface_tension`]).
+    SurfaceTension(u32, f32),
+    /// The speed of sound of a fluid by number, m/s.
+    SpeedOfSound(u32, f32),
+    /// Tait's constant of a fluid by number, Pa ([`Fluid::stiffness`]).
+    Stiffness(u32, f32),
+}
+
+/// The constants of a scene as they are now.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constants {
+    /// What every pass reads.
+    pub parameters: Parameters,
+    /// What each material has of its own.
+    pub materials: Materials,
+    /// The numbers of the step.
+    pub step: StepUniform,
+    /// Largest kinematic viscosity, m2/s.
+    pub kinematic_viscosity: f32,
+}
+
+impl Constants {
+    /// The same scene with time standing still: a step with these evaluates the forces and moves nothing.
+    pub(crate) fn at_rest(&self) -> Constants {
+        Constants { parameters: self.parameters.at_rest(), step: self.step.at_rest(), ..*self }
+    }
+
+    /// The same scene with time running back, with no walls to meet and springs that bear everything.
+    pub(crate) fn backwards(&self) -> Constants {
+        Constants { parameters: self.parameters.backwards(), step: self.step.backwards(), ..*self }
+    }
+}
+
+/// A scene that runs.
+#[derive(Clone, Debug)]
+pub struct LiveScene {
+    scene: Scene,
+    model: Model,
+    particles: u32,
+    first_air: u32,
+}
+
+impl LiveScene {
+    /// Of a scene that is run by this model, with so many particles, those of air from the second number on.
+    pub(crate) fn new(scene: &Scene, model: Model, [particles, first_air]: [u32; 2]) -> LiveScene {
+        let mut scene = scene.clone();
+        // where particles start is over and done with
+        scene.model.hydrostatic_start = false;
+        LiveScene { scene, model, particles, first_air }
+    }
+
+    /// The constants of what was derived from its scene.
+    pub(crate) fn constants(&self, derived: &Derived) -> Constants {
+        let (particle_count, first_air) = (self.particles, self.first_air);
+        Constants {
+            parameters: Parameters { particle_count, first_air, ..derived.parameters },
+            materials: derived.materials,
+            step: derived.step,
+            kinematic_viscosity: derived.kinematic_viscosity as f32,
+        }
+    }
+
+    /// The scene's time step, s.
+    #[must_use]
+    pub fn time_step(&self) -> f32 {
+        self.scene.time_step
+    }
+
+    /// The same scene after a change, with its constants.
+    ///
+    /// # Errors
+    /// A scene that could not be created like that, and a term that was left out.
+    pub fn changed(&self, change: Change) -> Result<(LiveScene, Constants), SceneError> {
+        let mut next = self.clone();
+        next.apply(change)?;
+        let derived = next.scene.check()?.derived().clone();
+        let constants = next.constants(&derived);
+        Ok((next, constants))
+    }
+
+    fn apply(&mut self, change: Change) -> Result<(), SceneError> {
+        let m = self.model;
+        let kept = |runs: bool, live: Live| {
+            let [live, field] = live.names();
+            if runs { Ok(()) } else { Err(SceneError::LeftOut { field, live }) }
+        };
+        match change {
+            Change::Gravity(gravity) => {
+                self.scene.gravity = gravity;
+                kept(m.gravity == 1 || gravity == [0.0; 3], Live::Gravity)
+            }
+            Change::Wind(wind) => {
+                self.scene.wind = wind;
+                kept(m.wind == 1 || wind.is_none_or(|wind| wind.drag == 0.0), Live::Wind)
+            }
+            Change::TimeStep(time_step) => self.apply_time_step(time_step),
+            Change::Viscosity(fluid, viscosity) => {
+                self.fluid("set_viscosity", fluid)?.dynamic_viscosity = viscosity;
+                let choice = self.scene.model.viscosity;
+                if matches!(choice, Viscosity::Artificial | Viscosity::Exchange) {
+                    let (choice, other) = ("set_viscosity", "model.viscosity Artificial or Exchange");
+                    let why = "these have coefficients of their own, which stay as they are";
+                    return Err(SceneError::NotTogether { choice, other, why });
+                }
+                kept(m.viscosity != 0 || viscosity == 0.0, Live::Viscosity)
+            }
+            Change::SurfaceTension(fluid, tension) => {
+                self.fluid("set_surface_tension", fluid)?.surface_tension = tension;
+                kept(m.tension != 0 || tension == 0.0, Live::SurfaceTension)
+            }
+            Change::SpeedOfSound(fluid, speed) => {
+                let fluid = self.fluid("set_speed_of_sound", fluid)?;
+                fluid.speed_of_sound = speed;
+                if fluid.stiffness.is_some() {
+                    let (choice, other) = ("set_speed_of_sound", "fluid.stiffness");
+                    let why = "the speed of sound follows from the stiffness: set that";
+                    return Err(SceneError::NotTogether { choice, other, why });
+                }
+                Ok(())
+            }
+            Change::Stiffness(fluid, stiffness) => {
+                self.fluid("set_stiffness", fluid)?.stiffness = Some(stiffness);
+                Ok(())
+            }
+        }
+    }
+
+    fn apply_time_step(&mut self, time_step: f32) -> Result<(), SceneError> {
+        use Integrator::{Beeman, PositionCorrectedBeeman, VelocityCorrectedBeeman};
+        self.scene.time_step = time_step;
+        let refused = |other, why| Err(SceneError::NotTogether { choice: "set_time_step", other, why });
+        if self.scene.adaptive.is_some() {
+            return refused("adaptive", "the time step follows from the state");
+        }
+        if matches!(self.scene.model.integrator, Beeman | VelocityCorrectedBeeman | PositionCorrectedBeeman) {
+            return refused(
+                "a model.integrator of Beeman's",
+                "it remembers an acceleration one step of the same length ago",
+            );
+        }
+        Ok(())
+    }
+
+    fn fluid(&mut self, field: &'static str, number: u32) -> Result<&mut Fluid, SceneError> {
+        let fluids = self.scene.fluids().count() as u32;
+        let all = core::iter::once(&mut self.scene.fluid).chain(&mut self.scene.other_fluids);
+        all.into_iter().nth(number as usize).ok_or(SceneError::NoSuchFluid { field, fluid: number, fluids })
+    }
+}

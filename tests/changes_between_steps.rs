@@ -1,0 +1,218 @@
+//! Promise: gravity, wind, the time step, and a fluid's viscosity, tension and stiffness can be changed between steps, on both backends
+//! with the same bits; a change before the first step is the same as a scene created like that; what the plan left out, and what no
+//! scene can have, is refused by name and changes nothing.
+use millpond::compare::difference;
+use millpond::snapshot::Snapshot;
+use millpond_core::scene::{
+    Adaptive, Block, Container, Dimension, Fluid, Grid, Integrator, Live, Scene, SurfaceTension, Wind,
+};
+use millpond_core::{OwnedMemory, Requirements, SceneError, Serial, Solver};
+use millpond_gpu::{GpuError, GpuSolver, Mode};
+
+mod support;
+use support::device;
+
+/// A block that falls into its box, with something of everything that can be changed.
+fn scene() -> Scene {
+    let water = Fluid { dynamic_viscosity: 2.0, surface_tension: 3.0, ..Fluid::default() };
+    let block = Block { corner: [0.1, 0.05, 0.0], size: [0.4, 0.5, 0.0], jitter: 0.2, ..Block::default() };
+    let mut scene = Scene::of(Dimension::Two, 0.05, 0.001, water, block);
+    scene.average_neighbours = 18.0;
+    scene.gravity = [0.0, -9.81, 0.0];
+    scene.wind = Some(Wind { velocity: [2.0, 0.0, 0.0], drag: 1.0 });
+    scene.model.surface_tension = SurfaceTension::Attraction;
+    scene.container = Some(Container::closed([0.0; 3], [0.8, 0.8, 0.4]));
+    scene.grid = Grid { cells: [8, 8, 4], ..Grid::default() };
+    scene
+}
+
+type OnCpu = fn(&mut Solver<'_>) -> Result<(), SceneError>;
+type OnGpu = fn(&mut GpuSolver) -> Result<(), GpuError>;
+type InScene = fn(&mut Scene);
+
+/// Each change: by name, on either backend, and in a scene.
+const CHANGES: &[(&str, OnCpu, OnGpu, InScene)] = &[
+    (
+        "gravity",
+        |s| s.set_gravity([3.0, -4.0, 0.0]),
+        |s| s.set_gravity([3.0, -4.0, 0.0]),
+        |s| s.gravity = [3.0, -4.0, 0.0],
+    ),
+    ("no wind", |s| s.set_wind(None), |s| s.set_wind(None), |s| s.wind = None),
+    ("time step", |s| s.set_time_step(0.0007), |s| s.set_time_step(0.0007), |s| s.time_step = 0.0007),
+    ("viscosity", |s| s.set_viscosity(0, 9.0), |s| s.set_viscosity(0, 9.0), |s| s.fluid.dynamic_viscosity = 9.0),
+    (
+        "tension",
+        |s| s.set_surface_tension(0, 8.0),
+        |s| s.set_surface_tension(0, 8.0),
+        |s| s.fluid.surface_tension = 8.0,
+    ),
+    ("sound", |s| s.set_speed_of_sound(0, 14.0), |s| s.set_speed_of_sound(0, 14.0), |s| s.fluid.speed_of_sound = 14.0),
+    ("stiffness", |s| s.set_stiffness(0, 9e3), |s| s.set_stiffness(0, 9e3), |s| s.fluid.stiffness = Some(9e3)),
+];
+
+fn memory(scene: &Scene) -> OwnedMemory {
+    OwnedMemory::of(&scene.check().expect("a scene"))
+}
+
+fn steps(solver: &mut Solver<'_>, count: u32) {
+    (0..count).for_each(|_| solver.step(&Serial).expect("a step"));
+}
+
+#[test]
+fn a_change_before_the_first_step_is_another_scene() {
+    for (name, change, _, in_scene) in CHANGES {
+        let mut other = scene();
+        in_scene(&mut other);
+        let mut heaps = [memory(&scene()), memory(&scene())];
+        let [first, second] = &mut heaps;
+        let mut changed = Solver::new(&scene(), first.lend()).expect("a scene");
+        change(&mut changed).expect("a change");
+        // a plan of the other scene may leave out what this one has at 0
+        let mut created = Solver::new(&other, second.lend()).expect("a scene");
+        steps(&mut changed, 12);
+        steps(&mut created, 12);
+        assert_eq!(changed.full_hash(), created.full_hash(), "{name}");
+        assert_eq!(changed.time(), created.time(), "{name}");
+    }
+}
+
+#[test]
+fn a_change_between_steps_gives_the_same_bits_on_a_device() {
+    let gpu = device("changes_between_steps", Mode::Strict);
+    for integrator in [Integrator::ModifiedVelocityVerlet, Integrator::Verlet] {
+        let mut base = scene();
+        base.model.integrator = integrator;
+        for (name, on_cpu, on_gpu, _) in CHANGES {
+            let mut heaps = [memory(&base), memory(&base)];
+            let [first, second] = &mut heaps;
+            let mut solver = Solver::new(&base, first.lend()).expect("a scene");
+            let mut left_alone = Solver::new(&base, second.lend()).expect("a scene");
+            let mut fluid = gpu.as_ref().map(|gpu| GpuSolver::new(gpu, &solver).expect("a device that takes it"));
+            steps(&mut solver, 9);
+            on_cpu(&mut solver).expect("a change");
+            steps(&mut solver, 9);
+            steps(&mut left_alone, 18);
+            let want = Snapshot::of_cpu(&solver);
+            assert!(difference(&Snapshot::of_cpu(&left_alone), &want).is_some(), "{name} changes something");
+            if let Some(fluid) = &mut fluid {
+                fluid.step(9).expect("steps");
+                on_gpu(fluid).expect("a change");
+                fluid.step(9).expect("steps");
+                let got = Snapshot::of_gpu(fluid).expect("a state");
+                assert_eq!(difference(&want, &got).map(|found| found.first), None, "{name}, {integrator:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn time_goes_on_from_where_the_step_was_changed() {
+    let mut heap = memory(&scene());
+    let mut solver = Solver::new(&scene(), heap.lend()).expect("a scene");
+    steps(&mut solver, 10);
+    solver.set_time_step(0.0005).expect("a change");
+    steps(&mut solver, 4);
+    let [before, after] = [0.001f32, 0.0005].map(f64::from);
+    assert_eq!(solver.time(), 10.0 * before + 4.0 * after);
+    assert_eq!(solver.time_report().time_step, 0.0005);
+}
+
+#[test]
+fn a_displacement_that_is_remembered_follows_the_time_step() {
+    // without any force Verlet's displacement is v dt, whatever dt becomes
+    let mut alone = scene();
+    (alone.gravity, alone.wind, alone.container) = ([0.0; 3], None, None);
+    alone.blocks[0] = Block { size: [0.05, 0.05, 0.0], velocity: [1.0, 0.5, 0.0], ..Block::default() };
+    alone.model.integrator = Integrator::Verlet;
+    let mut heap = memory(&alone);
+    let mut solver = Solver::new(&alone, heap.lend()).expect("a scene");
+    steps(&mut solver, 3);
+    solver.set_time_step(0.002).expect("a change");
+    steps(&mut solver, 3);
+    let particle = solver.particles().next().expect("a particle");
+    // six roundings of numbers below 1
+    assert!(
+        (particle.velocity.x - 1.0).abs() < 6.0 * f32::EPSILON
+            && (particle.velocity.y - 0.5).abs() < 6.0 * f32::EPSILON
+    );
+    assert!((particle.position.x - (0.025 + 0.009)).abs() < 6.0 * f32::EPSILON);
+}
+
+#[test]
+fn what_the_plan_left_out_is_refused_by_name_unless_it_is_live() {
+    let mut still = scene();
+    (still.gravity, still.wind) = ([0.0; 3], None);
+    (still.fluid.dynamic_viscosity, still.fluid.surface_tension) = (0.0, 0.0);
+    let cases: [(Live, OnCpu, &str); 4] = [
+        (Live::Gravity, |s| s.set_gravity([0.0, -1.0, 0.0]), "gravity"),
+        (Live::Wind, |s| s.set_wind(Some(Wind { velocity: [1.0, 0.0, 0.0], drag: 1.0 })), "wind"),
+        (Live::Viscosity, |s| s.set_viscosity(0, 1.0), "fluid.dynamic_viscosity"),
+        (Live::SurfaceTension, |s| s.set_surface_tension(0, 1.0), "fluid.surface_tension"),
+    ];
+    for (live, change, field) in cases {
+        let mut keeps = still.clone();
+        keeps.live.push(live).expect("room");
+        let mut heaps = [memory(&still), memory(&keeps)];
+        let [first, second] = &mut heaps;
+        let mut bare = Solver::new(&still, first.lend()).expect("a scene");
+        let mut kept = Solver::new(&keeps, second.lend()).expect("a scene");
+        steps(&mut bare, 5);
+        steps(&mut kept, 5);
+        assert_eq!(bare.full_hash(), kept.full_hash(), "a term that is kept at 0 changes no bit");
+        let refused = change(&mut bare).expect_err("a term that is not there");
+        assert!(matches!(refused, SceneError::LeftOut { field: of, .. } if of == field), "{refused}");
+        assert!(refused.to_string().contains(&format!("list {live:?}")), "{refused}");
+        change(&mut kept).expect("a change");
+        steps(&mut bare, 5);
+        steps(&mut kept, 5);
+        assert_ne!(bare.full_hash(), kept.full_hash(), "{live:?}");
+    }
+}
+
+#[test]
+fn what_no_scene_can_have_is_refused_and_changes_nothing() {
+    let mut adaptive = scene();
+    adaptive.adaptive = Some(Adaptive::default());
+    let mut beeman = scene();
+    beeman.model.integrator = Integrator::Beeman;
+    let cases: [(Scene, OnCpu, &str); 8] = [
+        (scene(), |s| s.set_gravity([f32::NAN, 0.0, 0.0]), "gravity"),
+        (scene(), |s| s.set_gravity([0.0, 0.0, 1.0]), "2D"),
+        (scene(), |s| s.set_time_step(-1.0), "time_step"),
+        (scene(), |s| s.set_viscosity(0, f32::INFINITY), "fluid.dynamic_viscosity"),
+        (scene(), |s| s.set_viscosity(1, 1.0), "set_viscosity"),
+        (scene(), |s| s.set_speed_of_sound(0, 0.0), "fluid.speed_of_sound"),
+        (adaptive, |s| s.set_time_step(0.001), "adaptive"),
+        (beeman, |s| s.set_time_step(0.002), "Beeman"),
+    ];
+    for (scene, change, word) in cases {
+        let mut heaps = [memory(&scene), memory(&scene)];
+        let [first, second] = &mut heaps;
+        let mut solver = Solver::new(&scene, first.lend()).expect("a scene");
+        let mut twin = Solver::new(&scene, second.lend()).expect("a scene");
+        steps(&mut solver, 4);
+        let refused = change(&mut solver).expect_err("a change that cannot be");
+        assert!(refused.to_string().contains(word), "{refused}");
+        steps(&mut solver, 4);
+        steps(&mut twin, 8);
+        assert_eq!(solver.full_hash(), twin.full_hash(), "{word}");
+    }
+}
+
+#[test]
+fn a_fresh_device_refuses_what_its_first_accelerations_would_not_know() {
+    let Some(gpu) = device("changes_between_steps", Mode::Strict) else { return };
+    let mut field = scene();
+    field.field = Some(millpond_core::scene::FieldLattice { low: [0.0; 3], spacing: 0.4, counts: [3, 3, 1] });
+    let mut heap = memory(&field);
+    let solver = Solver::new(&field, heap.lend()).expect("a scene");
+    let mut fluid = GpuSolver::new(&gpu, &solver).expect("a device that takes it");
+    let nodes = [[1.0, 0.0, 0.0, 0.0]; 9];
+    assert!(matches!(fluid.set_field(&nodes), Err(GpuError::BeforeFirstStep { call: "set_field" })));
+    assert!(matches!(fluid.set_gravity([0.0; 3]), Err(GpuError::BeforeFirstStep { call: "set_gravity" })));
+    fluid.step(1).expect("a step");
+    fluid.set_field(&nodes).expect("a field");
+    let requirements = Requirements::of(&field.check().expect("a scene"));
+    assert!(requirements.counts.field_nodes == nodes.len());
+}
