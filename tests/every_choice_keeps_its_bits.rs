@@ -392,6 +392,28 @@ fn other_field(scene: &Scene) -> Vec<f32x4> {
 
 const STEPS: u32 = 8;
 
+fn saved(solver: &Solver<'_>) -> Vec<u8> {
+    let mut bytes = vec![0; solver.saved_bytes()];
+    solver.save(&mut bytes).expect("room");
+    bytes
+}
+
+/// All steps in lanes, but saved in the middle and gone on with by another solver.
+fn with_a_break(scene: &Scene) -> Snapshot {
+    let memory = || OwnedMemory::of(&scene.check().expect("a scene"));
+    let (mut first, mut second) = (memory(), memory());
+    let pool = Pool::new(1).expect("a thread");
+    let mut solver = Solver::new(scene, first.lend()).expect("a scene");
+    solver.set_field(&field(scene)).expect("a field");
+    (0..STEPS / 2).for_each(|_| solver.step(&pool).expect("a step"));
+    let mut other = Solver::new(scene, second.lend()).expect("a scene");
+    other.restore(&saved(&solver)).expect("bytes of this scene");
+    assert!(saved(&other) == saved(&solver), "bytes that were read are written again");
+    other.set_field(&other_field(scene)).expect("a field");
+    (STEPS / 2..STEPS).for_each(|_| other.step(&pool).expect("a step"));
+    Snapshot::of_cpu(&other)
+}
+
 /// All steps, the second half in another field.
 fn half_and_half(scene: &Scene, solver: &mut Solver<'_>, pool: &Pool) {
     (0..STEPS / 2).for_each(|_| solver.step(pool).expect("a step"));
@@ -413,13 +435,19 @@ fn by_cpu(
         fluid.step(STEPS / 2).expect("steps on the device");
         fluid.set_field(&other_field(scene)).expect("a field");
         fluid.step(STEPS - STEPS / 2).expect("steps on the device");
-        let reports = (fluid.correction().expect("a report"), fluid.time_report().expect("a report"));
+        let reports = (
+            fluid.correction().expect("a report"),
+            fluid.time_report().expect("a report"),
+            fluid.save().expect("bytes"),
+        );
         (Snapshot::of_gpu(&fluid).expect("a state"), reports)
     });
     let pool = Pool::new(threads).expect("threads");
     half_and_half(scene, &mut solver, &pool);
     if let Some((_, reports)) = &on_device {
-        assert_eq!(*reports, (solver.correction(), solver.time_report()), "iterations of pressure, and the time step");
+        let (correction, time, bytes) = reports;
+        assert_eq!((correction, time), (&solver.correction(), &solver.time_report()), "pressure, and the time step");
+        assert!(*bytes == saved(&solver), "the bytes of the two backends");
     }
     [Some(Snapshot::of_cpu(&solver)), on_device.map(|(state, _)| state)]
 }
@@ -486,6 +514,7 @@ fn check(dimension: Dimension) {
         assert_eq!(differs(&want, lanes.as_ref()), None, "{name}: lanes on two threads");
         let [base_lanes, _] = by_cpu(&scene, Simd::Base, 1, &mut heap(), None);
         assert_eq!(differs(&want, base_lanes.as_ref()), None, "{name}: base lanes");
+        assert_eq!(differs(&want, Some(&with_a_break(&scene))), None, "{name}: saved and gone on with");
         let known = checked(&scene);
         let plan = Plan::of(&known);
         if gpu.is_none() {

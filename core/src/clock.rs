@@ -67,6 +67,16 @@ impl Clock {
         true
     }
 
+    /// As it is saved: its two numbers, the last step and what it should have been; steps made again, steps held.
+    pub(crate) fn to_record(self) -> ([f32; 4], [u32; 2]) {
+        ([self.time, self.lost, self.last, self.wanted], [self.redone, self.held])
+    }
+
+    /// As it was saved.
+    pub(crate) fn of_record([time, lost, last, wanted]: [f32; 4], [redone, held]: [u32; 2]) -> Clock {
+        Clock { time, lost, last, wanted, redone, held }
+    }
+
     pub(crate) fn report(&self, u: &StepUniform) -> TimeReport {
         TimeReport {
             time: f64::from(self.time) + f64::from(self.lost),

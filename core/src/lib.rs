@@ -34,6 +34,7 @@ mod particle;
 mod passes;
 pub mod plan;
 pub mod report;
+pub mod save;
 pub mod scene;
 pub mod solver;
 pub mod springs;
@@ -46,7 +47,7 @@ pub use heapless;
 
 pub use arithmetic::level::Simd;
 pub use clock::{SteadyTime, TimeReport};
-pub use error::{Axis, SceneError, StepError};
+pub use error::{Axis, RestoreError, SceneError, StepError};
 pub use executor::{Executor, Serial};
 #[cfg(feature = "alloc")]
 pub use memory::OwnedMemory;

@@ -2,7 +2,7 @@
 use crate::derive::Derived;
 use crate::error::SceneError;
 use crate::layout::{Materials, Model, Parameters, StepUniform};
-use crate::scene::{Fluid, Integrator, Live, Scene, Viscosity, Wind};
+use crate::scene::{FLUIDS, Fluid, Integrator, Live, Scene, Viscosity, Wind};
 
 /// A change between two steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,6 +34,42 @@ pub struct Constants {
     pub step: StepUniform,
     /// Largest kinematic viscosity, m2/s.
     pub kinematic_viscosity: f32,
+}
+
+/// What may have been changed between steps, as it is saved.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LiveValues {
+    gravity: [f32; 3],
+    wind: [f32; 4],
+    has_wind: bool,
+    time_step: f32,
+    /// Of each fluid its viscosity, tension, speed of sound, and stiffness or 0.
+    fluids: [[f32; LiveValues::OF_FLUID]; FLUIDS],
+}
+
+impl LiveValues {
+    const OF_FLUID: usize = 4;
+
+    /// Words of them.
+    pub const WORDS: usize = 9 + LiveValues::OF_FLUID * FLUIDS;
+
+    pub(crate) fn to_words(self) -> [u32; LiveValues::WORDS] {
+        let mut words = [0; LiveValues::WORDS];
+        let numbers = self.gravity.iter().chain(&self.wind).chain([&self.time_step]).chain(self.fluids.as_flattened());
+        let all = core::iter::once(u32::from(self.has_wind)).chain(numbers.map(|x| x.to_bits()));
+        words.iter_mut().zip(all).for_each(|(place, word)| *place = word);
+        words
+    }
+
+    pub(crate) fn of_words(words: &[u32]) -> LiveValues {
+        let mut values = LiveValues::default();
+        let mut words = words.iter().copied();
+        values.has_wind = words.next() == Some(1);
+        let LiveValues { gravity, wind, time_step, fluids, .. } = &mut values;
+        let numbers = gravity.iter_mut().chain(wind).chain([time_step]).chain(fluids.as_flattened_mut());
+        numbers.zip(words).for_each(|(number, word)| *number = f32::from_bits(word));
+        values
+    }
 }
 
 impl Constants {
@@ -81,6 +117,39 @@ impl LiveScene {
     #[must_use]
     pub fn time_step(&self) -> f32 {
         self.scene.time_step
+    }
+
+    /// What may have been changed of it.
+    #[must_use]
+    pub fn values(&self) -> LiveValues {
+        let scene = &self.scene;
+        let mut fluids = [[0.0; LiveValues::OF_FLUID]; FLUIDS];
+        for (values, fluid) in fluids.iter_mut().zip(scene.fluids()) {
+            let Fluid { dynamic_viscosity, surface_tension, speed_of_sound, stiffness, .. } = *fluid;
+            *values = [dynamic_viscosity, surface_tension, speed_of_sound, stiffness.unwrap_or(0.0)];
+        }
+        let wind = scene.wind.map_or([0.0; 4], |wind| {
+            let [x, y, z] = wind.velocity;
+            [x, y, z, wind.drag]
+        });
+        LiveValues { gravity: scene.gravity, wind, has_wind: scene.wind.is_some(), time_step: scene.time_step, fluids }
+    }
+
+    /// The same scene with these values, and its constants.
+    pub(crate) fn with_values(&self, values: &LiveValues) -> Result<(LiveScene, Constants), SceneError> {
+        let mut next = self.clone();
+        let [x, y, z, drag] = values.wind;
+        next.scene.gravity = values.gravity;
+        next.scene.wind = values.has_wind.then_some(Wind { velocity: [x, y, z], drag });
+        next.scene.time_step = values.time_step;
+        let fluids = core::iter::once(&mut next.scene.fluid).chain(&mut next.scene.other_fluids);
+        for (fluid, [viscosity, tension, sound, stiffness]) in fluids.zip(values.fluids) {
+            (fluid.dynamic_viscosity, fluid.surface_tension, fluid.speed_of_sound) = (viscosity, tension, sound);
+            fluid.stiffness = (stiffness > 0.0).then_some(stiffness);
+        }
+        let derived = next.scene.check()?.derived().clone();
+        let constants = next.constants(&derived);
+        Ok((next, constants))
     }
 
     /// The same scene after a change, with its constants.

@@ -14,6 +14,7 @@ use crate::plan::Plan;
 use crate::plan::arrays::{Array, Class};
 use crate::plan::passes::Pass;
 use crate::plan::schedule::{Command, Schedule, evaluation};
+use crate::save::{Record, fingerprint};
 use crate::scene::{InitialParticle, Scene, Wind};
 use crate::step;
 use crate::terms::integrate::history_rescaled;
@@ -56,6 +57,7 @@ pub struct Solver<'m> {
     /// Which of the two states is the fluid; the other is where a step is tried.
     pub(crate) current: usize,
     requirements: Requirements,
+    fingerprint: u64,
     pub(crate) memory: Arrays<'m>,
 }
 
@@ -100,11 +102,12 @@ impl<'m> Solver<'m> {
         let memory = memory.carve(&requirements)?;
         let first_air = count.saturating_sub(scene.air_capacity()) as u32;
         let live = LiveScene::new(scene, plan.model, [count as u32, first_air]);
+        let constants = live.constants(scene.derived());
         let simd = Simd::detect();
         let mut solver = Solver {
             plan,
             schedule: plan.schedule(),
-            constants: live.constants(scene.derived()),
+            constants,
             live,
             steady: SteadyTime::default(),
             simd,
@@ -113,6 +116,7 @@ impl<'m> Solver<'m> {
             correction: CorrectionReport::default(),
             air_refused: 0,
             current: 0,
+            fingerprint: fingerprint(&plan.model, &constants.parameters, &constants.materials, &requirements),
             requirements,
             memory,
         };
@@ -436,6 +440,35 @@ impl<'m> Solver<'m> {
     /// Writes what a device's clock goes on from.
     pub fn fill_status(&self, status: &mut Status) {
         self.clock.fill(&self.constants.step, status);
+    }
+
+    /// What tells its bytes from those of another scene.
+    #[must_use]
+    pub fn fingerprint(&self) -> u64 {
+        self.fingerprint
+    }
+
+    /// An array of the state, or one that steps only read, to be written.
+    pub(crate) fn words_mut(&mut self, array: Array) -> &mut [u32] {
+        if array.class() == Class::Given {
+            self.memory.given.words_mut(array)
+        } else {
+            self.memory.states[self.current].words_mut(array)
+        }
+    }
+
+    /// Says that the particles lie in the order of their ids.
+    pub(crate) fn lie_by_id(&mut self) {
+        let state = &mut self.memory.states[self.current];
+        for (id, (slot, slot_of_id)) in (0..).zip(state.id.iter_mut().zip(state.slot_of_id.iter_mut())) {
+            (*slot, *slot_of_id) = (id, id);
+        }
+    }
+
+    /// Goes on with these constants from what a record says.
+    pub(crate) fn go_on(&mut self, live: LiveScene, constants: Constants, record: &Record) {
+        (self.live, self.constants) = (live, constants);
+        (self.steps, self.steady, self.correction) = (record.steps, record.steady, record.correction);
     }
 
     /// How much memory of which arrays it has.

@@ -83,6 +83,10 @@ impl Buffers {
         let refused = air.refused.min(u64::from(u32::MAX)) as u32;
         let mut status = Status { air_alive: air.alive, air_refused: refused, ..Status::fine(solver.steps() as u32) };
         solver.fill_status(&mut status);
+        let correction = solver.correction();
+        status.last_iterations = correction.iterations;
+        status.total_iterations = correction.total_iterations.min(u64::from(u32::MAX)) as u32;
+        status.last_residual = correction.residual.to_bits();
         let counters = requirements.entries(Array::grid_cell_counters) * size_of::<u32>();
         let head = storage.room("head", size_of::<Status>() + counters)?;
         gpu.queue.write_buffer(&head, 0, bytemuck::bytes_of(&status));
@@ -113,6 +117,11 @@ impl Buffers {
             Side::Only => 0,
         };
         copies.get(copy).unwrap_or_else(|| &copies[0])
+    }
+
+    /// How much there is of each array.
+    pub(crate) fn requirements(&self) -> &Requirements {
+        &self.requirements
     }
 
     /// What there is how many of.

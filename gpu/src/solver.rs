@@ -1,4 +1,5 @@
 //! The GPU's public face: a fluid on the device, stepped without reading anything back.
+use crate::bindings::is_on_device;
 use crate::buffers::{Buffers, read};
 use crate::device::Gpu;
 use crate::error::GpuError;
@@ -9,6 +10,7 @@ use millpond_core::hash::state_hash;
 use millpond_core::layout::{Model, Status, StepUniform, f32x4};
 use millpond_core::live::{Change, LiveScene};
 use millpond_core::plan::arrays::{Class, Side};
+use millpond_core::save::{Record, saved_bytes, write};
 use millpond_core::scene::Wind;
 use millpond_core::terms::integrate::{VERLET, history_rescaled};
 use millpond_core::{AirReport, Array, CorrectionReport, SceneError, Solver, SteadyTime, TimeReport, verdict};
@@ -28,6 +30,7 @@ pub struct GpuSolver {
     model: Model,
     uniform: StepUniform,
     steady: SteadyTime,
+    fingerprint: u64,
     first_step: u64,
     /// Steps that count.
     steps: u64,
@@ -102,6 +105,7 @@ impl GpuSolver {
             model: plan.model,
             uniform: *solver.uniform(),
             steady: solver.steady_time(),
+            fingerprint: solver.fingerprint(),
             first_step: solver.steps(),
             steps: solver.steps(),
             attempts: 0,
@@ -350,6 +354,35 @@ impl GpuSolver {
             read(&self.gpu, buffer, self.buffers.words(array))
         };
         Ok(Readback { arrays: Array::ALL.iter().map(words).collect::<Result<Vec<_>, _>>()? })
+    }
+
+    /// The fluid as bytes that a CPU solver of the same scene goes on from ([`Solver::restore`]), and from it another device: the same
+    /// bytes as if the CPU had made the steps.
+    ///
+    /// # Errors
+    /// The device failed.
+    pub fn save(&self) -> Result<Vec<u8>, GpuError> {
+        let state = self.read()?;
+        let status = self.status()?;
+        let time_step = if self.adaptive { status.time_step } else { self.uniform.time_step };
+        let record = Record::of_status(&status, self.steady, time_step, &self.live);
+        let mut given = Vec::new();
+        for array in Array::ALL.iter().copied().filter(|array| array.class() == Class::Given && is_on_device(*array)) {
+            let there = array.exists(self.buffers.model());
+            let words = if there { self.buffers.words(array) } else { 0 };
+            let words: Vec<u32> =
+                if words == 0 { Vec::new() } else { read(&self.gpu, self.buffers.array(array, Side::Only, 0), words)? };
+            given.push((array, words));
+        }
+        let words = |array: Array| {
+            let known = given.iter().find(|(given, _)| *given == array);
+            known.map_or_else(|| state.words(array), |(_, words)| words.as_slice())
+        };
+        let requirements = self.buffers.requirements();
+        let mut bytes = vec![0; saved_bytes(requirements)];
+        let key = (requirements, self.fingerprint);
+        write(key, &record, state.slots(), words, &mut bytes).map_err(|error| GpuError::Device(error.to_string()))?;
+        Ok(bytes)
     }
 
     /// Steps that count.

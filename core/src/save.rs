@@ -1,0 +1,242 @@
+//! A fluid as bytes, and back: every array of the state and what else the next step goes on from. Going on from there gives the same bits
+//! as never having stopped, on either backend.
+//!
+//! The bytes are words of four, little-endian: a head of [`HEAD_WORDS`], the [`Record`], then the arrays in the order of the table, the
+//! entries of particles in the order of their ids, so that neither slots nor backend nor grid change a byte.
+use crate::clock::{Clock, SteadyTime};
+use crate::error::RestoreError;
+use crate::hash::Fnv;
+use crate::layout::{Materials, Model, Parameters, Status};
+use crate::live::{LiveScene, LiveValues};
+use crate::memory::Requirements;
+use crate::plan::arrays::{Array, Class, Unit};
+use crate::solver::{CorrectionReport, Solver};
+
+/// First word: `MPND`.
+const MAGIC: u32 = u32::from_le_bytes(*b"MPND");
+
+/// Version of the bytes. It changes with whatever is written.
+pub const VERSION: u32 = 1;
+
+/// Words before the record: magic, version, and the fingerprint of the scene.
+pub const HEAD_WORDS: usize = 4;
+
+/// What a solver goes on from beside its arrays.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Record {
+    /// Steps that were made.
+    pub steps: u64,
+    /// How simulated time follows from them, where they are all alike.
+    pub steady: SteadyTime,
+    /// The clock: its two numbers, the last step and what it should have been, s.
+    pub clock: [f32; 4],
+    /// The next step, s.
+    pub time_step: f32,
+    /// Steps made again, and steps that should have been shorter than the shortest.
+    pub counts: [u32; 2],
+    /// What the pressure correction came to.
+    pub correction: CorrectionReport,
+    /// Requests for air that found no particle.
+    pub air_refused: u64,
+    /// What may have been changed between steps.
+    pub live: LiveValues,
+}
+
+impl Record {
+    /// Words of a record.
+    pub const WORDS: usize = 19 + LiveValues::WORDS;
+
+    /// Of what a device's status says, with what its host knows.
+    #[must_use]
+    pub fn of_status(status: &Status, steady: SteadyTime, time_step: f32, live: &LiveScene) -> Record {
+        Record {
+            steps: u64::from(status.steps),
+            steady,
+            clock: [status.clock, status.clock_lost, status.last_time_step, status.last_wanted],
+            time_step,
+            counts: [status.redone, status.held],
+            correction: CorrectionReport {
+                iterations: status.last_iterations,
+                total_iterations: u64::from(status.total_iterations),
+                residual: f32::from_bits(status.last_residual),
+            },
+            air_refused: u64::from(status.air_refused),
+            live: live.values(),
+        }
+    }
+
+    fn each_word(&self, mut word: impl FnMut(u32)) {
+        let mut wide = |x: u64| [x as u32, (x >> 32) as u32].into_iter().for_each(&mut word);
+        wide(self.steps);
+        wide(self.steady.since);
+        wide(self.steady.at.to_bits());
+        wide(self.correction.total_iterations);
+        wide(self.air_refused);
+        self.clock.iter().for_each(|x| word(x.to_bits()));
+        word(self.time_step.to_bits());
+        self.counts.into_iter().for_each(&mut word);
+        word(self.correction.iterations);
+        word(self.correction.residual.to_bits());
+        self.live.to_words().into_iter().for_each(&mut word);
+    }
+
+    fn of_words(words: &[u32]) -> Record {
+        let at = |i: usize| words.get(i).copied().unwrap_or(0);
+        let wide = |i: usize| u64::from(at(i)) | u64::from(at(i + 1)) << 32;
+        let float = |i: usize| f32::from_bits(at(i));
+        Record {
+            steps: wide(0),
+            steady: SteadyTime { since: wide(2), at: f64::from_bits(wide(4)) },
+            clock: [float(10), float(11), float(12), float(13)],
+            time_step: float(14),
+            counts: [at(15), at(16)],
+            correction: CorrectionReport { iterations: at(17), total_iterations: wide(6), residual: float(18) },
+            air_refused: wide(8),
+            live: LiveValues::of_words(words.get(19..).unwrap_or_default()),
+        }
+    }
+}
+
+/// What tells one scene's bytes from another's: its model, its constants at creation, how many there are of everything.
+#[must_use]
+pub fn fingerprint(model: &Model, parameters: &Parameters, materials: &Materials, requirements: &Requirements) -> u64 {
+    let counts = requirements.counts;
+    let counts = [counts.particles, counts.cells, counts.spring_ends, counts.air, counts.field_nodes];
+    let structs = [bytemuck::bytes_of(model), bytemuck::bytes_of(parameters), bytemuck::bytes_of(materials)];
+    let words = structs.into_iter().flat_map(|bytes| bytemuck::cast_slice::<u8, u32>(bytes).iter().copied());
+    words.chain(counts.into_iter().map(|count| count as u32)).fold(Fnv::default(), Fnv::word).0
+}
+
+/// The arrays that are saved: those of the state, and what the host or the start has given but for what follows from the scene.
+fn saved(requirements: &Requirements) -> impl Iterator<Item = Array> + use<> {
+    let model = *requirements.model();
+    let is_saved = |array: &Array| match array.class() {
+        Class::State => true,
+        Class::Given => *array != Array::kernel_tables,
+        Class::Index | Class::Scratch => false,
+    };
+    Array::ALL.iter().copied().filter(move |array| is_saved(array) && array.exists(&model))
+}
+
+/// Bytes of a fluid with these requirements.
+#[must_use]
+pub fn saved_bytes(requirements: &Requirements) -> usize {
+    let words: usize = saved(requirements).map(|array| requirements.entries(array) * array.words()).sum();
+    (HEAD_WORDS + Record::WORDS + words) * size_of::<u32>()
+}
+
+/// Writes a fluid whose arrays are given by `words`, and whose particles lie in these slots. Used by both backends.
+///
+/// # Errors
+/// A buffer of another length than [`saved_bytes`].
+pub fn write<'a>(
+    (requirements, fingerprint): (&Requirements, u64),
+    record: &Record,
+    slots: &[u32],
+    words: impl Fn(Array) -> &'a [u32],
+    out: &mut [u8],
+) -> Result<(), RestoreError> {
+    let (given, expected) = (out.len(), saved_bytes(requirements));
+    if given != expected {
+        return Err(RestoreError::WrongLength { given, expected });
+    }
+    let mut places = out.chunks_exact_mut(size_of::<u32>());
+    let mut put = |word: u32| {
+        if let Some(place) = places.next() {
+            place.copy_from_slice(&word.to_le_bytes());
+        }
+    };
+    [MAGIC, VERSION, fingerprint as u32, (fingerprint >> 32) as u32].into_iter().for_each(&mut put);
+    record.each_word(&mut put);
+    for array in saved(requirements) {
+        let (all, entry) = (words(array), array.words());
+        if by_slot(array) {
+            let entries = slots.iter().filter_map(|&slot| all.get(slot as usize * entry..)?.get(..entry));
+            entries.flatten().copied().for_each(&mut put);
+        } else {
+            all.iter().copied().for_each(&mut put);
+        }
+    }
+    Ok(())
+}
+
+/// Do the entries of an array lie in the slots of the particles? Else they stand by id, or are no particles'.
+fn by_slot(array: Array) -> bool {
+    array.class() == Class::State && array.unit() == Unit::Particle
+}
+
+impl Solver<'_> {
+    /// Bytes that [`Solver::save`] writes.
+    #[must_use]
+    pub fn saved_bytes(&self) -> usize {
+        saved_bytes(self.requirements())
+    }
+
+    /// Writes the fluid as bytes: going on from them, by [`Solver::restore`] of a solver of the same scene, gives the same bits as never
+    /// having stopped. The bytes are the same on both backends, whatever the grid's structure, threads and lanes were.
+    ///
+    /// # Errors
+    /// A buffer of another length than [`Solver::saved_bytes`].
+    pub fn save(&self, out: &mut [u8]) -> Result<(), RestoreError> {
+        let key = (self.requirements(), self.fingerprint());
+        write(key, &self.record(), self.slots(), |array| self.words(array), out)
+    }
+
+    /// Goes on from the bytes of [`Solver::save`], or of a device.
+    ///
+    /// # Errors
+    /// Bytes of another length, another version or another scene; the fluid then is as it was.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
+        let (given, expected) = (bytes.len(), self.saved_bytes());
+        let mut words = bytes.chunks_exact(4).map(|bytes| u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]));
+        let mut head = [0; HEAD_WORDS];
+        head.iter_mut().zip(&mut words).for_each(|(place, word)| *place = word);
+        let [magic, version, low, high] = head;
+        if magic != MAGIC {
+            return Err(RestoreError::NotSaved);
+        }
+        if version != VERSION {
+            return Err(RestoreError::WrongVersion { given: version, known: VERSION });
+        }
+        if u64::from(low) | u64::from(high) << 32 != self.fingerprint() {
+            return Err(RestoreError::AnotherScene);
+        }
+        if given != expected {
+            return Err(RestoreError::WrongLength { given, expected });
+        }
+        let mut record = [0; Record::WORDS];
+        record.iter_mut().zip(&mut words).for_each(|(place, word)| *place = word);
+        self.take_record(&Record::of_words(&record))?;
+        for array in saved(self.requirements()) {
+            let place = self.words_mut(array);
+            place.iter_mut().zip(&mut words).for_each(|(place, word)| *place = word);
+        }
+        // particles now lie in the order of their ids; the next step sorts them
+        self.lie_by_id();
+        Ok(())
+    }
+
+    fn record(&self) -> Record {
+        let (clock, counts) = self.clock.to_record();
+        Record {
+            steps: self.steps(),
+            steady: self.steady_time(),
+            clock,
+            time_step: self.uniform().time_step,
+            counts,
+            correction: self.correction(),
+            air_refused: self.air_refused,
+            live: self.live().values(),
+        }
+    }
+
+    fn take_record(&mut self, record: &Record) -> Result<(), RestoreError> {
+        let (live, mut constants) = self.live().with_values(&record.live).map_err(RestoreError::Scene)?;
+        constants.step = constants.step.with_time_step(record.time_step);
+        constants.step.step = record.steps as u32;
+        self.go_on(live, constants, record);
+        self.clock = Clock::of_record(record.clock, record.counts);
+        self.air_refused = record.air_refused;
+        Ok(())
+    }
+}

@@ -1,0 +1,111 @@
+//! Promise: a fluid saved as bytes goes on with the same bits as if it had never stopped, from the CPU to a device and back any number of
+//! times; what was changed between steps comes along; bytes of another length, version or scene are refused by name and change nothing.
+use millpond::compare::difference;
+use millpond::snapshot::Snapshot;
+use millpond_core::scene::Scene;
+use millpond_core::{OwnedMemory, RestoreError, Serial, Solver};
+use millpond_gpu::{Gpu, GpuSolver, Mode};
+
+mod support;
+use support::device;
+
+/// Scenes that remember much: an adaptive step, corrected pressure, springs that give way, air, two integrators with a history.
+const SCENES: &[&str] = &["stiff-tank", "corrected-column", "elastic-cube", "oil-and-water", "dam-break-2d"];
+
+fn scene(name: &str) -> Scene {
+    let mut scene = support::scaled(name, 400).file.scene;
+    if name == "dam-break-2d" {
+        scene.model.integrator = millpond_core::scene::Integrator::Beeman;
+        (scene.fluid.xsph, scene.model.thermal_energy) = (0.3, true);
+    }
+    if name == "elastic-cube" {
+        scene.elasticity.plasticity = Some(millpond_core::scene::Plasticity { rate: 20.0, yield_strain: 0.001 });
+    }
+    scene
+}
+
+fn memory(scene: &Scene) -> OwnedMemory {
+    OwnedMemory::of(&scene.check().expect("a scene"))
+}
+
+fn saved(solver: &Solver<'_>) -> Vec<u8> {
+    let mut bytes = vec![0; solver.saved_bytes()];
+    solver.save(&mut bytes).expect("room");
+    bytes
+}
+
+/// Some steps from these bytes on, on the CPU or on a device.
+fn go_on(scene: &Scene, bytes: &[u8], gpu: Option<&Gpu>, steps: u32) -> Vec<u8> {
+    let mut heap = memory(scene);
+    let mut solver = Solver::new(scene, heap.lend()).expect("a scene");
+    solver.restore(bytes).expect("bytes of this scene");
+    let Some(gpu) = gpu else {
+        (0..steps).for_each(|_| solver.step(&Serial).expect("a step"));
+        return saved(&solver);
+    };
+    let mut fluid = GpuSolver::new(gpu, &solver).expect("a device that takes it");
+    fluid.step(steps).expect("steps");
+    fluid.save().expect("bytes")
+}
+
+#[test]
+fn any_number_of_times_between_backends() {
+    let gpu = device("state_comes_home", Mode::Strict);
+    for name in SCENES {
+        let scene = scene(name);
+        let mut heap = memory(&scene);
+        let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
+        let mut bytes = saved(&solver);
+        for (on_device, steps) in [(false, 7), (true, 5), (true, 4), (false, 6), (true, 3)] {
+            bytes = go_on(&scene, &bytes, gpu.as_ref().filter(|_| on_device), steps);
+            (0..steps).for_each(|_| solver.step(&Serial).expect("a step"));
+            assert!(bytes == saved(&solver), "{name} after {} steps", solver.steps());
+        }
+    }
+}
+
+#[test]
+fn what_was_changed_between_steps_comes_along() {
+    let scene = scene("dam-break-2d");
+    let (mut first, mut second) = (memory(&scene), memory(&scene));
+    let mut solver = Solver::new(&scene, first.lend()).expect("a scene");
+    (0..5).for_each(|_| solver.step(&Serial).expect("a step"));
+    solver.set_gravity([4.0, -3.0, 0.0]).expect("a change");
+    solver.set_viscosity(0, 7.0).expect("a change");
+    let mut other = Solver::new(&scene, second.lend()).expect("a scene");
+    other.restore(&saved(&solver)).expect("bytes of this scene");
+    // and a change after that builds on what came along
+    for solver in [&mut solver, &mut other] {
+        (0..5).for_each(|_| solver.step(&Serial).expect("a step"));
+        solver.set_speed_of_sound(0, 30.0).expect("a change");
+        (0..5).for_each(|_| solver.step(&Serial).expect("a step"));
+    }
+    assert_eq!(difference(&Snapshot::of_cpu(&solver), &Snapshot::of_cpu(&other)), None);
+}
+
+#[test]
+fn bytes_that_are_not_its_own_are_refused_by_name() {
+    let scene = scene("dam-break-2d");
+    let mut other_scene = scene.clone();
+    other_scene.fluid.rest_density = 900.0;
+    let (mut first, mut second) = (memory(&scene), memory(&other_scene));
+    let mut solver = Solver::new(&scene, first.lend()).expect("a scene");
+    let other = Solver::new(&other_scene, second.lend()).expect("a scene");
+    (0..3).for_each(|_| solver.step(&Serial).expect("a step"));
+    let (own, hash) = (saved(&solver), solver.full_hash());
+    let mut newer = own.clone();
+    newer[4] += 1;
+    let cases = [
+        (own[..own.len() - 4].to_vec(), RestoreError::WrongLength { given: own.len() - 4, expected: own.len() }),
+        ([&own[..], &[0; 8]].concat(), RestoreError::WrongLength { given: own.len() + 8, expected: own.len() }),
+        (Vec::new(), RestoreError::NotSaved),
+        (vec![7; own.len()], RestoreError::NotSaved),
+        (newer, RestoreError::WrongVersion { given: 2, known: 1 }),
+        (saved(&other), RestoreError::AnotherScene),
+    ];
+    for (bytes, want) in cases {
+        assert_eq!(solver.restore(&bytes), Err(want), "{want}");
+        assert_eq!(solver.full_hash(), hash, "{want}");
+    }
+    assert_eq!(solver.save(&mut [0; 4]), Err(RestoreError::WrongLength { given: 4, expected: own.len() }));
+}
