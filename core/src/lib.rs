@@ -4,12 +4,16 @@
 //! ([`scene::Scene`]), and call [`Solver::step`]. The same scene gives the same bits on any number of threads, at every
 //! SIMD level, in debug and release, with either grid structure, and on the GPU backend in strict mode.
 //!
-//! Read in this order:
-//! 1. [`scene`], what can be asked for; [`validate`], what is refused; [`mod@derive`], all that follows from what is not;
-//! 2. [`step`], one page: the passes and their order;
-//! 3. [`terms`], the physics, each formula once for scalar, lanes and WGSL ([`arithmetic`] holds the vocabulary);
-//! 4. `passes`, the loops, and [`grid`], how neighbours are found;
-//! 5. [`solver`] (with `start` and `clock`), [`report`] and [`springs`], [`memory`] and [`storage`], [`layout`]: the face, the memory, the bytes.
+//! Data flows one way, and the modules are the stations:
+//! 1. [`scene`]: what is asked for, plain data;
+//! 2. [`validate`]: what is refused; [`mod@derive`]: what follows from a scene, computed once;
+//! 3. [`plan`]: what runs: the table of arrays, the table of passes, and the step as a list of commands;
+//! 4. [`memory`] and [`layout`]: the arrays cut out of lent memory, and the bytes that both backends share;
+//! 5. [`solver`]: the public face, with what it goes through: [`live`] (changes between steps), [`save`] (bytes), [`report`],
+//!    [`springs`];
+//! 6. `step`: the interpreter of the commands; `passes`: the loops, one file a pass, in folders that stand in the order of the step;
+//! 7. [`terms`]: the physics, each formula once for scalar, lanes and WGSL; [`arithmetic`]: its vocabulary; [`grid`]: how neighbours
+//!    are found.
 //!
 //! SI units throughout; in 2D every z is 0 and masses are per metre of depth.
 #![no_std]

@@ -234,7 +234,7 @@ impl Solver<'_> {
         let (live, mut constants) = self.live().with_values(&record.live).map_err(RestoreError::Scene)?;
         constants.step = constants.step.with_time_step(record.time_step);
         constants.step.step = record.steps as u32;
-        self.go_on(live, constants, record);
+        self.go_on(live, &constants, record);
         self.clock = Clock::of_record(record.clock, record.counts);
         self.air_refused = record.air_refused;
         Ok(())

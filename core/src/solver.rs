@@ -466,8 +466,8 @@ impl<'m> Solver<'m> {
     }
 
     /// Goes on with these constants from what a record says.
-    pub(crate) fn go_on(&mut self, live: LiveScene, constants: Constants, record: &Record) {
-        (self.live, self.constants) = (live, constants);
+    pub(crate) fn go_on(&mut self, live: LiveScene, constants: &Constants, record: &Record) {
+        (self.live, self.constants) = (live, *constants);
         (self.steps, self.steady, self.correction) = (record.steps, record.steady, record.correction);
     }
 

@@ -1,6 +1,7 @@
 //! One step: the commands of a schedule, carried out one after the other.
 use crate::error::StepError;
 use crate::executor::Executor;
+use crate::passes::g_finish::commit::verdict;
 use crate::passes::{self, context::Step};
 use crate::plan::passes::Pass;
 use crate::plan::schedule::{Command, interpret};
@@ -15,7 +16,11 @@ pub(crate) fn run(
         if let Some(pass) = command.pass() {
             begins(pass);
             step.command = command;
-            passes::run(pass, step)?;
+            passes::run(pass, step);
+            // the passes after which there may be nothing to go on with, and the last one
+            if matches!(pass, Pass::Count | Pass::CellLists | Pass::Commit) {
+                verdict(&step.found.status, step.setup.model.cell_places)?;
+            }
         }
         Ok(step.found.converged)
     };

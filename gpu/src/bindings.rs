@@ -25,7 +25,7 @@ impl Declared {
 }
 
 /// Name in WGSL of what a pass binds.
-fn name(binding: &Binding) -> String {
+fn name(binding: Binding) -> String {
     let array = binding.array.name();
     match binding.bound {
         Bound::Copy(Side::Old) => format!("old_{array}"),
@@ -35,14 +35,14 @@ fn name(binding: &Binding) -> String {
     }
 }
 
-fn of(binding: &Binding) -> Declared {
+fn of(binding: Binding) -> Declared {
     Declared::storage(name(binding), &format!("array<{}>", binding.array.element()), binding.access)
 }
 
 /// The arrays of a pass that exist by this model.
-pub fn bound(pass: Pass, model: &Model) -> impl Iterator<Item = &'static Binding> {
+pub fn bound(pass: Pass, model: &Model) -> impl Iterator<Item = Binding> {
     let model = *model;
-    pass.bindings().iter().filter(move |binding| binding.array.exists(&model))
+    pass.bindings().iter().copied().filter(move |binding| binding.array.exists(&model))
 }
 
 /// What a pass binds behind the [`UNIFORMS`], in the order of the bindings: the status with the cells' counters, its arrays that exist,
@@ -82,7 +82,7 @@ pub fn declarations(pass: Pass, model: &Model) -> String {
         out += &format!("@group(0) @binding({}) var<{space}> {name}: {kind};\n", i as u32 + UNIFORMS);
     }
     for binding in pass.bindings().iter().filter(|binding| !binding.array.exists(model)) {
-        out += &format!("var<private> {}: array<{}, 2>;\n", name(binding), binding.array.element());
+        out += &format!("var<private> {}: array<{}, 2>;\n", name(*binding), binding.array.element());
     }
     out
 }

@@ -58,6 +58,18 @@ pub enum GpuError {
         /// The device's limit.
         limit: u64,
     },
+    /// A pass of the scene binds more storage buffers than the device takes.
+    #[error(
+        "pass {pass} of this scene binds {needed} storage buffers, and the device takes {limit}: leave out a feature of the scene"
+    )]
+    TooManyBuffers {
+        /// Which pass.
+        pass: &'static str,
+        /// Buffers that it binds.
+        needed: u32,
+        /// The device's limit.
+        limit: u32,
+    },
     /// The device stopped answering.
     #[error("the device failed: {0}")]
     Device(String),

@@ -69,6 +69,8 @@ impl Gpu {
         let limits = adapter.limits();
         wanted.required_limits.max_storage_buffer_binding_size = limits.max_storage_buffer_binding_size;
         wanted.required_limits.max_buffer_size = limits.max_buffer_size;
+        // most scenes bind eight in a pass, wgpu's default; a scene that binds more is refused by name where there are fewer
+        wanted.required_limits.max_storage_buffers_per_shader_stage = limits.max_storage_buffers_per_shader_stage;
         let (device, queue) = pollster::block_on(adapter.request_device(&wanted))
             .map_err(|e| GpuError::NoDevice { adapter: info.name.clone(), reason: e.to_string() })?;
         Gpu::with_device(device, queue, info, mode)

@@ -10,6 +10,7 @@ use millpond_core::plan::passes::{Access, Bound, Threads};
 use millpond_core::plan::schedule::Command;
 use millpond_core::{Array, Pass, Plan};
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 /// Most work groups along one dimension of a dispatch (WebGPU's default limit).
 const MOST_GROUPS: u32 = 65_535;
@@ -60,13 +61,9 @@ impl Recorder<'_> {
     }
 
     fn dispatch(&mut self, command: Command, pass: Pass) -> Result<Dispatch, GpuError> {
-        let (layout, pipeline) = match self.pipelines.get(&(pass as usize)) {
-            Some(known) => known.clone(),
-            None => {
-                let made = pipeline(self.gpu, pass, &self.model)?;
-                self.pipelines.insert(pass as usize, made.clone());
-                made
-            }
+        let (layout, pipeline) = match self.pipelines.entry(pass as usize) {
+            Entry::Occupied(known) => known.get().clone(),
+            Entry::Vacant(place) => place.insert(pipeline(self.gpu, pass, &self.model)?).clone(),
         };
         let groups = [0, 1].map(|old| {
             let resources = self.resources(command, pass, old);
@@ -166,8 +163,14 @@ fn pipeline(gpu: &Gpu, pass: Pass, model: &Model) -> Result<(wgpu::BindGroupLayo
         Some(access) => wgpu::BufferBindingType::Storage { read_only: access == Access::Read },
         None => wgpu::BufferBindingType::Uniform,
     };
+    let declared = declared(pass, model);
+    let needed = declared.iter().filter(|declared| declared.access.is_some()).count() as u32;
+    let limit = gpu.device.limits().max_storage_buffers_per_shader_stage;
+    if needed > limit {
+        return Err(GpuError::TooManyBuffers { pass: pass.name(), needed, limit });
+    }
     let mut kinds = vec![wgpu::BufferBindingType::Uniform; UNIFORMS as usize];
-    kinds.extend(declared(pass, model).iter().map(kind));
+    kinds.extend(declared.iter().map(kind));
     make_pipeline(gpu, pass.name(), &program(pass, model, gpu.words), workgroup(pass), &kinds)
 }
 

@@ -181,7 +181,9 @@ fn ends_if_elastic(scene: &Scene) -> usize {
 /// Memory of a scene with all that this version can leave out.
 fn everything(scene: &Checked<'_>, requirements: &Requirements) -> usize {
     let mut model = Plan::everything(scene).model;
-    OPTIONAL.iter().for_each(|(_, include)| include(&mut model));
+    for (_, include) in OPTIONAL {
+        include(&mut model);
+    }
     with(scene, requirements, model).bytes()
 }
 

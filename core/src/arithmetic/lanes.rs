@@ -2,7 +2,7 @@
 //! runs.
 
 #[cfg(not(target_arch = "x86_64"))]
-pub use super::portable::Lanes as Base;
+pub(crate) use super::portable::Lanes as Base;
 /// Lanes in the instructions that every processor of the target has.
 #[cfg(target_arch = "x86_64")]
-pub use super::x86::Sse as Base;
+pub(crate) use super::x86::Sse as Base;

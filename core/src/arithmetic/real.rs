@@ -6,7 +6,7 @@
 use crate::layout::{TABLE_ENTRIES, Tables};
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// A number of the physics: `f32`, or eight of them ([`lanes`](super::lanes)). Literals stand on the right: `x * 2.0`.
+/// A number of the physics: `f32`, or eight of them. Literals stand on the right: `x * 2.0`.
 pub trait Real:
     Copy
     + Add<Output = Self>

@@ -19,7 +19,7 @@ macro_rules! vector {
         less: $less:expr, select: $select:expr) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug)]
-        pub struct $name([$register; $count]);
+        pub(crate) struct $name([$register; $count]);
 
         vector!(operators $name [$($i),*] Add add $add, Sub sub $sub, Mul mul $mul);
 

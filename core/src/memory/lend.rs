@@ -51,8 +51,7 @@ impl<'m> Memory<'m> {
         let Memory { named, arena, most_neighbours } = self;
         let unnamed = |array: &&Array| named[**array as usize][0].is_empty();
         let needed = Array::ALL.iter().filter(unnamed).map(|&array| requirements.arena_bytes_of(array)).sum();
-        let too_small =
-            SceneError::CapacityExceeded { what: "bytes of arena", needed, capacity: arena.len() * size_of::<u32>() };
+        let too_small = SceneError::CapacityExceeded { what: "bytes of arena", needed, capacity: size_of_val(arena) };
         Arrays::carve(&mut Lender { named, arena, most_neighbours, requirements, too_small })
     }
 }

@@ -10,7 +10,7 @@ use crate::plan::arrays::Array;
 /// Memory for `N` particles and `CELLS` cells, with `PLACES` places a cell for cell lists (0, the default, for the index sort): the
 /// arrays that every scene has, by name. What only some choices need comes from an [`Arena`] beside it.
 ///
-/// As a `static`, or made by [`Storage::boxed`], it never meets the stack, which a large one would overflow.
+/// As a `static`, or made by `Storage::boxed`, it never meets the stack, which a large one would overflow.
 ///
 /// ```
 /// use millpond_core::Storage;
@@ -62,7 +62,7 @@ pub(super) const NAMED: [Array; 17] = [
 ];
 
 impl<const N: usize, const CELLS: usize, const PLACES: usize> Storage<N, CELLS, PLACES> {
-    /// All zero: for a `static`. On the heap take [`Storage::boxed`], since a value of this size is no good on the stack.
+    /// All zero: for a `static`. On the heap take `Storage::boxed`, since a value of this size is no good on the stack.
     #[must_use]
     #[expect(clippy::new_without_default, reason = "a default would be made on the stack")]
     pub const fn new() -> Self {

@@ -2,7 +2,6 @@
 //! the old ones.
 use crate::arithmetic::level::Work;
 use crate::arithmetic::real::{Real, real};
-use crate::error::StepError;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::layout::f32x4;
 use crate::memory::State;
@@ -21,7 +20,7 @@ struct Job<'a> {
 }
 
 /// Fills `moved_position` and `moved_velocity`.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (setup, executor, old) = (step.setup, step.executor, step.old);
     let (mut positions, mut velocities) = (&mut *step.scratch.moved_position, &mut *step.scratch.moved_velocity);
     let mut jobs = Jobs::new();
@@ -30,7 +29,6 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepErro
         let _ = jobs.push(Job { setup, old, slots, moved_position, moved_velocity });
     }
     executor.run(&mut jobs, work);
-    Ok(())
 }
 
 /// Compiled once, in this crate: see [`PairPass::work`](crate::passes::pairs::PairPass::work).

@@ -1,16 +1,13 @@
 //! The CUDA design's cells (S0 section 4.4.2): each particle takes a place of its cell. Only with cell lists.
-use crate::error::StepError;
 use crate::layout::NONE;
 use crate::passes::context::Step;
-use crate::passes::g_finish::commit::verdict;
 
-/// Fills `grid_cells`; refuses a cell that has too few places.
-pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) -> Result<(), StepError> {
+/// Fills `grid_cells`; notes a cell that has too few places.
+pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) {
     let (s, places) = (&mut *step.scratch, step.setup.model.cell_places);
     let status = &mut step.found.status;
     status.cell_full = fill(s.cell, s.rank, places, s.grid_cells);
     status.cell_count = if status.cell_full == NONE { 0 } else { s.grid_cell_counters[status.cell_full as usize] };
-    verdict(status, places)
 }
 
 /// Fills `grid_cells`, `places` a cell; returns the smallest cell that has too few, or [`NONE`].

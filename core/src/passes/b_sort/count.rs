@@ -2,12 +2,10 @@
 //!
 //! Counting is serial: it is one increment a particle. On a GPU the ranks depend on who comes first; `sort_by_id` undoes that.
 //! Inactive particles come to the last cell, wherever they lie.
-use crate::error::StepError;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::grid::cell_of;
 use crate::layout::{NONE, f32x4};
 use crate::passes::context::{Setup, Step};
-use crate::passes::g_finish::commit::verdict;
 use crate::passes::lanes::is_dormant;
 
 struct Job<'a> {
@@ -20,13 +18,13 @@ struct Job<'a> {
 }
 
 /// Fills `cell`, `rank` and the counters.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let s = &mut *step.scratch;
     let moved = [&*s.moved_position, &*s.moved_velocity];
     step.found.status.out_of_range = find(step.setup, step.executor, moved, step.old.id, s.cell);
-    verdict(&step.found.status, step.setup.model.cell_places)?;
-    count(s.cell, s.rank, s.grid_cell_counters);
-    Ok(())
+    if step.found.status.out_of_range == NONE {
+        count(s.cell, s.rank, s.grid_cell_counters);
+    }
 }
 
 /// Fills `cell`; returns the smallest `4 id + axis` out of range, or [`NONE`].

@@ -1,5 +1,4 @@
 //! An array into the slots after the step, so that members of a cell stand side by side. Runs once for each array that a step sorts.
-use crate::error::StepError;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::layout::f32x4;
 use crate::passes::context::Step;
@@ -13,9 +12,9 @@ struct Job<'a> {
 
 /// Moves the array that the command names: one of the old state, or of what the step works in, to one of the new state or of what the
 /// step works in.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let Step { old, new, scratch, executor, command, .. } = step;
-    let Command::Gather { from: (from, side), to } = *command else { return Ok(()) };
+    let Command::Gather { from: (from, side), to } = *command else { return };
     let source_slot = core::mem::take(&mut scratch.source_slot);
     match (side, to.class()) {
         (Side::Old, Class::Scratch) => moved(*executor, source_slot, old.words(from), scratch.words_mut(to)),
@@ -23,7 +22,6 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepErro
         (_, _) => moved(*executor, source_slot, scratch.words(from), new.words_mut(to)),
     }
     scratch.source_slot = source_slot;
-    Ok(())
 }
 
 /// `to[slot] = from[source_slot[slot]]`.

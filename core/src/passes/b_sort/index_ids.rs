@@ -1,11 +1,9 @@
 //! The slot of each particle, by id.
-use crate::error::StepError;
 use crate::passes::context::Step;
 
 /// Fills `slot_of_id`.
-pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) -> Result<(), StepError> {
+pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) {
     for (slot, &id) in step.new.id.iter().enumerate() {
         step.new.slot_of_id[id as usize] = slot as u32;
     }
-    Ok(())
 }

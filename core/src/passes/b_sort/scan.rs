@@ -1,11 +1,9 @@
 //! First slot of each cell: the running sum of the counts (S1 section 6.2).
-use crate::error::StepError;
 use crate::passes::context::Step;
 
 /// Fills `cell_start`.
-pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) -> Result<(), StepError> {
+pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) {
     scan(step.scratch.grid_cell_counters, step.scratch.cell_start);
-    Ok(())
 }
 
 /// Fills `start`.

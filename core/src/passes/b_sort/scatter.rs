@@ -1,12 +1,10 @@
 //! Each particle into the slots of its cell (S1 section 6.2). Only with the index sort.
-use crate::error::StepError;
 use crate::passes::context::Step;
 
 /// Fills `cell_members`.
-pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) -> Result<(), StepError> {
+pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) {
     let s = &mut *step.scratch;
     scatter(s.cell, s.rank, s.cell_start, s.cell_members);
-    Ok(())
 }
 
 /// Fills `members` with the slot of each particle.

@@ -3,7 +3,6 @@
 //! Inactive particles stay unsorted: nothing is ever summed over them, and there may be many in their one cell.
 //!
 //! Insertion sort: a cell holds few particles, and most of them stood in this order before.
-use crate::error::StepError;
 use crate::executor::{Executor, Jobs, parts, take};
 use crate::grid::{Cells, is_limbo};
 use crate::passes::context::Step;
@@ -17,7 +16,7 @@ struct Job<'a> {
 }
 
 /// Fills `source_slot` and `id`.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (setup, old_id, s) = (step.setup, &*step.old.id, &mut *step.scratch);
     let places = setup.model.cell_places as usize;
     let (cell_members, grid_cells) = (&*s.cell_members, &*s.grid_cells);
@@ -49,7 +48,6 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepErro
             sort(old_id, unsorted, source_slot, id);
         }
     });
-    Ok(())
 }
 
 /// Fills `sorted` with `unsorted` by `old_id`, and `id` with the sorted ids.

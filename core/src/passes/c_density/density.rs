@@ -1,6 +1,5 @@
 //! Density of each particle from its neighbours, and the pressures that follow.
 use crate::arithmetic::real::{Real, less, real, select, vec3};
-use crate::error::StepError;
 use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::context::{Setup, Step};
@@ -19,11 +18,10 @@ use crate::terms::state::{pressure_close, pressure_of_state};
 use crate::terms::wall::{MIRRORED, mass_seen};
 
 /// Fills `density_pressure`.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, lists) = (particles!(step but density), lists!(step));
     let pass = Density { previous: step.scratch.previous_density_pressure };
     pairs::run(step.setup, step.executor, particles, lists, &pass, step.new.density_pressure);
-    Ok(())
 }
 
 /// Deviation, pressure, near pressure, volume.

@@ -2,7 +2,6 @@
 //! those that any of them can see; whoever is not would add exact zeros. All passes over pairs walk these lists.
 use crate::arithmetic::level::Work;
 use crate::arithmetic::real::{Real, less, real, vec3};
-use crate::error::StepError;
 use crate::executor::{Executor, Jobs, parts, share_of, take};
 use crate::grid::{Cells, Stencil, is_limbo};
 use crate::layout::{Model, u32x2};
@@ -26,7 +25,7 @@ struct Job<'a> {
 }
 
 /// Fills `neighbour_ranges` and `neighbours`.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (setup, particles, sorted) = (step.setup, particles!(step but density), cells!(step));
     let count = particles.position.len();
     let (mut ranges, mut lists) = (&mut *step.scratch.neighbour_ranges, &mut *step.scratch.neighbours);
@@ -48,7 +47,6 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepErro
         let _ = jobs.push(job);
     }
     step.executor.run(&mut jobs, work);
-    Ok(())
 }
 
 /// Compiled once, in this crate: see [`PairPass::work`](crate::passes::pairs::PairPass::work).

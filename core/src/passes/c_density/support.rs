@@ -1,7 +1,6 @@
 //! Support radius of each particle from its density before the step. Only with variable supports.
 use crate::arithmetic::level::Work;
 use crate::arithmetic::real::Real;
-use crate::error::StepError;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::layout::f32x4;
 use crate::passes::context::{Setup, Step};
@@ -15,7 +14,7 @@ struct Job<'a> {
 }
 
 /// Fills `support`.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (setup, s) = (step.setup, &mut *step.scratch);
     let (previous, mut supports) = (&*s.previous_density_pressure, &mut *s.support_ratio);
     let mut jobs = Jobs::new();
@@ -24,7 +23,6 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepErro
         let _ = jobs.push(Job { setup, previous: &previous[slots], support });
     }
     step.executor.run(&mut jobs, work);
-    Ok(())
 }
 
 /// Compiled once, in this crate: see [`PairPass::work`](crate::passes::pairs::PairPass::work).

@@ -1,6 +1,5 @@
 //! Which particles of liquid nothing covers: the gradient of the colour of all fluids together tells. Only with air.
 use crate::arithmetic::real::{Real, real, vec3};
-use crate::error::StepError;
 use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::context::Step;
@@ -10,10 +9,9 @@ use crate::terms::air::{is_bare, whole_gradient};
 use crate::terms::geometry::flush3;
 
 /// Fills the gradients.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, lists) = (particles!(step), lists!(step));
     pairs::run(step.setup, step.executor, particles, lists, &Exposure, step.scratch.total_colour_gradient);
-    Ok(())
 }
 
 /// The gradient of the colour of all that is there, and in w whether the particle is exposed: liquid, with nothing beside it.

@@ -1,7 +1,6 @@
 //! Acceleration of each particle: pressure, viscosity and what acts from outside; without pressure where that is iterated
 //! later.
 use crate::arithmetic::real::{Real, real, vec3};
-use crate::error::StepError;
 use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::context::Step;
@@ -16,12 +15,11 @@ use crate::terms::pair::density_ratio;
 use crate::terms::wall::if_free;
 
 /// Fills the accelerations, or those without pressure.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, lists) = (particles!(step), lists!(step));
     let corrects = step.setup.model.corrects_pressure();
     let out = if corrects { &mut *step.scratch.non_pressure_acceleration } else { &mut *step.new.acceleration };
     pairs::run(step.setup, step.executor, particles, lists, &Force, out);
-    Ok(())
 }
 
 /// What acts on each particle.

@@ -1,7 +1,6 @@
 //! Inward normal of the surface of each particle's fluid, and its curvature where that follows from the same colour. Only
 //! where a tension or the host needs them.
 use crate::arithmetic::real::{Real, real, vec3};
-use crate::error::StepError;
 use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::context::Step;
@@ -11,10 +10,9 @@ use crate::terms::geometry::flush3;
 use crate::terms::tension::{CURVATURE, colour_gradient, colour_laplacian, curvature_of_colour};
 
 /// Fills the normals.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, lists) = (particles!(step), lists!(step));
     pairs::run(step.setup, step.executor, particles, lists, &Normals, step.new.normal);
-    Ok(())
 }
 
 /// The gradient of the colour, and in w the curvature.

@@ -1,12 +1,11 @@
 //! Lengths at rest of springs after the step. Only where they change: with plasticity, or springs that break.
 use super::springs::springs;
-use crate::error::StepError;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::passes::context::Step;
 use crate::terms::elastic::spring_given_way;
 
 /// Fills the ends of springs.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (setup, springs) = (step.setup, springs!(step));
     let mut rest = &mut *step.new.spring_ends;
     let count = rest.len();
@@ -28,5 +27,4 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepErro
             }
         }
     });
-    Ok(())
 }

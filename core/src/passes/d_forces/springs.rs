@@ -3,7 +3,6 @@
 //! Each particle walks its own ends, in the order of the ids at the other ends: two ends of a spring compute the same pull from
 //! the same numbers, and so the same length at rest for the next step.
 use crate::arithmetic::real::vec3;
-use crate::error::StepError;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::layout::{f32x4, u32x2, u32x4};
 use crate::passes::context::{Setup, Step};
@@ -61,7 +60,7 @@ impl Springs<'_> {
 }
 
 /// Adds to the accelerations, or to those without pressure.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (setup, springs) = (step.setup, springs!(step));
     let corrects = setup.model.corrects_pressure();
     let mut rest = if corrects { &mut *step.scratch.non_pressure_acceleration } else { &mut *step.new.acceleration };
@@ -76,5 +75,4 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepErro
             *own = [all.x, all.y, all.z, own[3]];
         }
     });
-    Ok(())
 }

@@ -1,6 +1,5 @@
 //! Acceleration by the curvature of the surface, added to all else. Only with a tension by curvature.
 use crate::arithmetic::real::{Real, real, vec3};
-use crate::error::StepError;
 use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::context::Step;
@@ -11,12 +10,11 @@ use crate::terms::geometry::flush3;
 use crate::terms::tension::{NORMAL_CURVATURE, curvature_of_normals, normal_divergence, tension_close};
 
 /// Adds to the accelerations, or to those without pressure.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, lists) = (particles!(step), lists!(step));
     let corrects = step.setup.model.corrects_pressure();
     let out = if corrects { &mut *step.scratch.non_pressure_acceleration } else { &mut *step.new.acceleration };
     pairs::run(step.setup, step.executor, particles, lists, &Tension { normal: step.new.normal }, out);
-    Ok(())
 }
 
 /// Adds to the accelerations, and leaves the curvature in w.

@@ -1,6 +1,5 @@
 //! One iteration of pressure: how far the next density would miss, and what mends it. Only where pressure is corrected.
 use crate::arithmetic::real::{Real, less, real, select, vec3};
-use crate::error::StepError;
 use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::context::Step;
@@ -14,12 +13,11 @@ use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use crate::terms::wall::{MIRRORED, mass_seen};
 
 /// Corrects the pressures, and notes the largest miss.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, lists) = (particles!(step but density), lists!(step));
     let pass = PressureCorrect { acceleration: step.new.acceleration };
     let residual = pairs::run(step.setup, step.executor, particles, lists, &pass, step.new.density_pressure);
     step.found.residual = f32::from_bits(residual);
-    Ok(())
 }
 
 /// Corrects the pressures of `density_pressure`; returns the largest miss, as the bits of a number that is not negative.

@@ -1,6 +1,5 @@
 //! Acceleration by the pressure of an iteration, added to all else. Only where pressure is corrected.
 use crate::arithmetic::real::{Real, real, vec3};
-use crate::error::StepError;
 use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::context::Step;
@@ -12,11 +11,10 @@ use crate::terms::neighbour::{acceleration_close, pressure_neighbour};
 use crate::terms::wall::if_free;
 
 /// Fills the accelerations.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, lists) = (particles!(step), lists!(step));
     let pass = PressureForce { free: step.scratch.non_pressure_acceleration };
     pairs::run(step.setup, step.executor, particles, lists, &pass, step.new.acceleration);
-    Ok(())
 }
 
 /// Makes accelerations of `free`, those without pressure.

@@ -1,7 +1,6 @@
 //! Second half of the integrator, then the walls.
 use crate::arithmetic::level::Work;
 use crate::arithmetic::real::{Real, real, vec3};
-use crate::error::StepError;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::layout::f32x4;
 use crate::passes::context::{Setup, Step};
@@ -24,7 +23,7 @@ struct Job<'a> {
 }
 
 /// Finishes positions, velocities and what is remembered of the step.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (setup, new) = (step.setup, &mut *step.new);
     // a step that only evaluates forces has the arrays, and nothing in them
     let if_needed = |needed: bool, array| if needed { array } else { &[][..] };
@@ -47,7 +46,6 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepErro
         let _ = jobs.push(job);
     }
     step.executor.run(&mut jobs, work);
-    Ok(())
 }
 
 /// Compiled once, in this crate: see [`PairPass::work`](crate::passes::pairs::PairPass::work).

@@ -1,6 +1,5 @@
 //! Thermal energy of each particle. Only where a scene keeps account of it.
 use crate::arithmetic::real::{Real, real, vec3};
-use crate::error::StepError;
 use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::context::Step;
@@ -11,11 +10,10 @@ use crate::terms::exchange::{exchange_close, exchange_share};
 use crate::terms::heat::{exchange_heat, heat_close, heat_neighbour, heat_stepped};
 
 /// Steps the energies.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, lists) = (particles!(step), lists!(step));
     let pass = InternalEnergy { ahead: step.scratch.end_velocity };
     pairs::run(step.setup, step.executor, particles, lists, &pass, step.new.internal_energy);
-    Ok(())
 }
 
 /// Steps entries that are the energy and its rate before the step.

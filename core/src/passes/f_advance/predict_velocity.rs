@@ -2,7 +2,6 @@
 //! are evaluated with.
 use crate::arithmetic::level::Work;
 use crate::arithmetic::real::Real;
-use crate::error::StepError;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::layout::f32x4;
 use crate::passes::context::{Setup, Step};
@@ -19,7 +18,7 @@ struct Job<'a> {
 }
 
 /// Fills `end_velocity`, materials being its fourth numbers.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let new = &*step.new;
     let earlier = if needs_earlier(step.setup.model) { &*step.scratch.start_acceleration } else { &[] };
     let mut rest = &mut *step.scratch.end_velocity;
@@ -36,7 +35,6 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepErro
         let _ = jobs.push(job);
     }
     step.executor.run(&mut jobs, work);
-    Ok(())
 }
 
 /// Compiled once, in this crate: see [`PairPass::work`](crate::passes::pairs::PairPass::work).

@@ -4,7 +4,6 @@
 //! smallest id. Who could be in the way is found around that place, not around the particle: across a gap the others may be
 //! further away than a support. Few are bare, so no lanes.
 use crate::arithmetic::real::vec3;
-use crate::error::StepError;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::grid::{Cells, Stencil, cell_of};
 use crate::layout::f32x4;
@@ -64,7 +63,7 @@ impl Liquid<'_> {
 }
 
 /// Fills `spawn_requested`.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (setup, position, id) = (step.setup, &*step.new.position, &*step.new.id);
     let liquid = Liquid { sorted: cells!(step), position, gradient: step.scratch.total_colour_gradient, id };
     let mut rest = &mut *step.scratch.spawn_requested;
@@ -78,5 +77,4 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepErro
             *own = u32::from(liquid.gives_birth(&setup, *first + i));
         }
     });
-    Ok(())
 }

@@ -1,6 +1,5 @@
 //! XSPH: the velocity that each particle moves with in the next step, beside its own. Only with XSPH.
 use crate::arithmetic::real::{Real, real, vec3};
-use crate::error::StepError;
 use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::context::Step;
@@ -11,11 +10,10 @@ use crate::terms::wall::if_free;
 use crate::terms::xsph::{xsph_close, xsph_neighbour};
 
 /// Fills `xsph_velocity`.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, lists) = (particles!(step), lists!(step));
     let pass = Xsph { ahead: step.scratch.end_velocity };
     pairs::run(step.setup, step.executor, particles, lists, &pass, step.new.xsph_velocity);
-    Ok(())
 }
 
 /// With the velocities at the end of the step.

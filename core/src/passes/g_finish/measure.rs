@@ -1,6 +1,5 @@
 //! The largest speed, acceleration and speed of sound: what the next time step follows from. Only where it does.
 use crate::arithmetic::real::vec3;
-use crate::error::StepError;
 use crate::executor::{Executor, Jobs, parts, shares};
 use crate::layout::f32x4;
 use crate::passes::context::{Maxima, Setup, Step};
@@ -15,7 +14,7 @@ struct Job<'a> {
 }
 
 /// Finds the maxima of the new state.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (setup, new) = (step.setup, &*step.new);
     let mut jobs = Jobs::new();
     for slots in shares(new.id.len(), parts(step.executor)) {
@@ -33,7 +32,6 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepErro
         }
     });
     step.found.maxima = jobs.iter().fold(Maxima::default(), |all, job| all.and(job.maxima));
-    Ok(())
 }
 
 fn of_particle(setup: &Setup<'_>, v: f32x4, a: f32x4, density_pressure: f32x4) -> Maxima {

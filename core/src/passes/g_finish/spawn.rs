@@ -5,7 +5,6 @@
 //! look at each id.
 use crate::arithmetic::real::vec3;
 use crate::derive::material::DORMANT;
-use crate::error::StepError;
 use crate::layout::f32x4;
 use crate::memory::State;
 use crate::passes::context::Step;
@@ -14,7 +13,7 @@ use crate::terms::air::{is_thin, place_of_birth};
 use core::ops::Range;
 
 /// Makes and removes air; counts the requests for which no particle was left.
-pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) -> Result<(), StepError> {
+pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) {
     let (m, p, new) = (step.setup.model, step.setup.parameters, &mut *step.new);
     let (gradient, requested) = (&*step.scratch.total_colour_gradient, &*step.scratch.spawn_requested);
     let slots = new.slot_of_id.len();
@@ -37,7 +36,6 @@ pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) -> Result<(), StepError> {
     while next_parent(&mut ids, new.slot_of_id, requested).is_some() {
         step.found.refused += 1;
     }
-    Ok(())
 }
 
 /// Slot of the next particle, in the order of the ids, beside which air is wanted.

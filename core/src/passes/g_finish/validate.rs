@@ -1,5 +1,4 @@
 //! Is an array of the new state finite? Runs once for each.
-use crate::error::StepError;
 use crate::executor::{Executor, Jobs, parts, shares};
 use crate::layout::{NONE, QUANTITIES_OF_ID, f32x4};
 use crate::passes::context::Step;
@@ -13,8 +12,8 @@ struct Job<'a> {
 }
 
 /// Notes the smallest id, and of one id the first array, that is not finite.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepError> {
-    let Command::Validate(array) = step.command else { return Ok(()) };
+pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+    let Command::Validate(array) = step.command else { return };
     let (entries, id): (&[f32x4], _) = (bytemuck::cast_slice(step.new.words(array)), &*step.new.id);
     let mut jobs = Jobs::new();
     for slots in shares(id.len(), parts(step.executor)) {
@@ -33,5 +32,4 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) -> Result<(), StepErro
         let status = &mut step.found.status;
         status.not_finite = status.not_finite.min(QUANTITIES_OF_ID * smallest + array as u32);
     }
-    Ok(())
 }
