@@ -141,6 +141,7 @@ fn memory_that_is_too_small() {
     // and what a storage has no name for is looked for in an arena
     let mut warm = scene.clone();
     warm.model.thermal_energy = true;
+    warm.grid.structure = GridStructure::IndexSort;
     let mut storage: Box<Storage<4096, 32_768>> = Storage::boxed();
     let beside = Requirements::of(&checked(&warm)).arena_bytes_beside_storage();
     assert_eq!(Solver::new(&warm, storage.lend()).err(), too_few("bytes of arena", beside, 0));

@@ -9,7 +9,8 @@ use crate::scenes::{Changes, Named, load};
 use crate::snapshot::Snapshot;
 use crate::timing::{Milliseconds, timed};
 use millpond_core::OwnedMemory;
-use millpond_core::{Executor, Pass, Requirements, Simd, Solver};
+use millpond_core::scene::GridStructure;
+use millpond_core::{Checked, Executor, Pass, Requirements, Simd, Solver};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 use serde::Serialize;
 use std::time::Instant;
@@ -31,6 +32,9 @@ pub struct Options {
     /// How the CPU computes (default: the best it can)
     #[arg(long, value_enum)]
     simd: Option<SimdName>,
+    /// Time the scene with both grid structures, in turn
+    #[arg(long, conflicts_with = "scaling")]
+    structures: bool,
     /// Time the scene at 4096, 32768 and 262144 particles and fit how the time grows with their number
     #[arg(long, conflicts_with = "particles")]
     scaling: bool,
@@ -70,6 +74,9 @@ pub struct Bench {
     pub average_neighbours: FirstLast,
     /// Simulated time over the time it took, by the shortest step.
     pub real_time_factor: f64,
+    /// With `--structures`: the scene with either grid structure.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub structures: Vec<StructureTime>,
     /// With `--scaling`: the sizes timed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub scaling: Option<Scaling>,
@@ -82,6 +89,17 @@ pub struct PassTime {
     pub name: &'static str,
     /// Shortest, ms.
     pub ms: f64,
+}
+
+/// Time with a grid structure.
+#[derive(Clone, Debug, Serialize)]
+pub struct StructureTime {
+    /// Which.
+    pub structure: String,
+    /// Time of a step, steps with the two structures being taken in turn.
+    pub ms_per_step: Milliseconds,
+    /// Memory of the solver over the particles.
+    pub bytes_per_particle: f64,
 }
 
 /// How time grows with the number of particles.
@@ -156,8 +174,50 @@ fn bench(named: &Named, options: &Options) -> Result<Bench, Failure> {
         bytes_per_particle: needs.bytes() as f64 / needs.counts.particles.max(1) as f64,
         average_neighbours: FirstLast { first: first?, last: last? },
         real_time_factor: f64::from(timed.last.clock.time_step) * 1e3 / ms_per_step.min,
+        structures: if options.structures { structures(named, &pool, options.steps)? } else { Vec::new() },
         scaling: None,
     })
+}
+
+/// Places of a cell for the cell lists of a scene that has none: twice the default neighbours.
+const USUAL_PLACES: u32 = 64;
+
+/// Times the scene with both grid structures, in turn.
+fn structures(named: &Named, pool: &Pool, steps: u32) -> Result<Vec<StructureTime>, Failure> {
+    let lists = match named.file.scene.grid.structure {
+        GridStructure::IndexSort => GridStructure::CellLists { places: USUAL_PLACES },
+        lists @ GridStructure::CellLists { .. } => lists,
+    };
+    let scenes = [GridStructure::IndexSort, lists].map(|structure| {
+        let mut scene = named.file.scene.clone();
+        scene.grid.structure = structure;
+        scene
+    });
+    let refused = |error| Failure::Scene { origin: named.name.clone(), error };
+    let [sorted, listed] = &scenes;
+    let checked = [sorted.check().map_err(refused)?, listed.check().map_err(refused)?];
+    let mut heaps = [OwnedMemory::of(&checked[0]), OwnedMemory::of(&checked[1])];
+    let mut solvers = Vec::new();
+    for (scene, heap) in checked.iter().zip(&mut heaps) {
+        solvers.push(start(&named.name, scene, heap)?);
+    }
+    let mut times = [Vec::new(), Vec::new()];
+    for _ in 0..steps {
+        for (solver, times) in solvers.iter_mut().zip(&mut times) {
+            let (result, ms) = timed(|| solver.step(pool));
+            result?;
+            times.push(ms);
+        }
+    }
+    let of = |(scene, times): (&Checked<'_>, &Vec<f64>)| {
+        let requirements = Requirements::of(scene);
+        StructureTime {
+            structure: format!("{:?}", scene.grid.structure),
+            ms_per_step: Milliseconds::of(times),
+            bytes_per_particle: requirements.bytes() as f64 / requirements.counts.particles.max(1) as f64,
+        }
+    };
+    Ok(checked.iter().zip(&times).map(of).collect())
 }
 
 /// What was timed.
@@ -189,9 +249,13 @@ fn time_cpu(
         result?;
         steps.push(ms);
         let ends = marks.iter().skip(1).map(|(_, begin)| *begin).chain([end]);
+        // a pass that runs more than once in a step takes as long as all of its runs
+        let mut took = [0.0; Pass::ALL.len()];
         for ((pass, begin), end) in marks.iter().zip(ends) {
-            let best = &mut shortest[*pass as usize];
-            *best = best.min((end - *begin).as_secs_f64() * 1e3);
+            took[*pass as usize] += (end - *begin).as_secs_f64() * 1e3;
+        }
+        for (best, took) in shortest.iter_mut().zip(took).filter(|(_, took)| *took > 0.0) {
+            *best = best.min(took);
         }
         bar.inc(1);
     }
@@ -235,6 +299,13 @@ fn table(b: &Bench) -> String {
     );
     out += &format!("  {:8.2} neighbours first, {:.2} last\n", b.average_neighbours.first, b.average_neighbours.last);
     out += &format!("  {:8.3} of real time\n", b.real_time_factor);
+    for of in &b.structures {
+        let (ms, bytes) = (of.ms_per_step, of.bytes_per_particle);
+        out += &format!(
+            "  {:8.3} ms a step at least, {:.3} median, {bytes:.0} bytes a particle with {}\n",
+            ms.min, ms.median, of.structure
+        );
+    }
     if let Some(scaling) = &b.scaling {
         for (particles, ms) in &scaling.sizes {
             out += &format!("  {ms:8.3} ms a step at {particles} particles\n");
