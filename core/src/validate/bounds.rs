@@ -3,7 +3,7 @@ use crate::error::SceneError;
 use crate::scene::Scene;
 
 /// Most particles of a scene: an id shares a word with an axis or a quantity in an error report.
-pub(super) const MOST_PARTICLES: u64 = (1 << 30) - 1;
+pub(super) const MOST_PARTICLES: u64 = (1 << 28) - 1;
 
 pub(super) fn finite(field: &'static str, values: &[f32]) -> Result<(), SceneError> {
     match values.iter().find(|v| !v.is_finite()) {
