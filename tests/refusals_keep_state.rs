@@ -184,7 +184,7 @@ fn scenes_that_cannot_be() {
     assert_eq!(tiny, SceneError::OutOfScale { field: "particle_spacing", value: 1e-12 });
     // supports whose constants are no numbers are no fault of the spacing
     for value in [1e30, 1e-30] {
-        let (field, least, most) = ("average_neighbours", 0.001, 1_073_741_823.0);
+        let (field, least, most) = ("average_neighbours", 0.001, 268_435_455.0);
         let error = SceneError::OutOfBounds { field, value, least, most };
         assert_eq!(refused(&|s| s.average_neighbours = value), error);
     }

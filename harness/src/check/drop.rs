@@ -34,6 +34,10 @@ const CAPILLARY: f64 = 0.25;
 const INSIDE: f64 = 0.5;
 const OUTSIDE: f64 = 1.5;
 
+/// Radius of the drops that the times to calm down are for, m. Viscosity calms a smaller one sooner, as the square of its
+/// radius, which a quick study makes use of.
+const CALMED_RADIUS: f64 = 0.2;
+
 /// Share of the time to calm down after which pressures are averaged.
 const CALM: f64 = 0.5;
 const STEPS_PER_SAMPLE: u64 = 10;
@@ -117,6 +121,8 @@ pub(super) struct Droplet {
     pub(super) radius: u16,
     /// Distance between particles, m.
     pub(super) spacing: f32,
+    /// Where the centre of the disc is that is cut out of the lattice, from a corner of four cells, spacings.
+    pub(super) offset: [f64; 2],
 }
 
 /// A drop that has come to rest, but for its spurious currents.
@@ -139,7 +145,7 @@ pub(super) struct Calm {
 impl Droplet {
     /// The catalogue's, as fine as so many spacings along its radius.
     pub(super) fn of_catalogue(tension: SurfaceTension, around: Around, radius: u16) -> Droplet {
-        Droplet { tension, around, radius, spacing: SPACING * 20.0 / f32::from(radius) }
+        Droplet { tension, around, radius, spacing: SPACING * 20.0 / f32::from(radius), offset: [0.0; 2] }
     }
 
     fn setting(&self) -> &'static Setting {
@@ -207,11 +213,12 @@ impl Droplet {
         let count = SIDE * self.radius;
         let along = |i: u16| (f64::from(i) + 0.5 - f64::from(count) / 2.0) * f64::from(self.spacing);
         let radius = f64::from(self.radius) * f64::from(self.spacing);
+        let middle = self.offset.map(|offset| offset * f64::from(self.spacing));
         let mut all = Vec::new();
         for j in 0..count {
             for i in 0..count {
                 let (x, y) = (along(i), along(j));
-                let outside = x.hypot(y) >= radius;
+                let outside = (x - middle[0]).hypot(y - middle[1]) >= radius;
                 if !outside || self.around == Around::Like {
                     all.push(InitialParticle::of_fluid(u32::from(outside), [x as f32, y as f32, 0.0], [0.0; 3]));
                 }
@@ -226,6 +233,8 @@ impl Droplet {
     /// A scene that cannot start, a step that could not be made.
     pub(super) fn calm(&self, context: &Context, study: &str) -> Result<Calm, Failure> {
         let (viscosity, end) = self.setting().calming;
+        let radius = f64::from(self.radius) * f64::from(self.spacing);
+        let end = if context.quick { end * (radius / CALMED_RADIUS).powi(2) } else { end };
         let scene = self.scene(viscosity);
         let places = self.places();
         let scene = checked(study, &scene)?;

@@ -33,9 +33,10 @@ const PAIRWISE_AROUND: Around = Around::Like;
 const COARSE: u16 = 10;
 const FINE: u16 = 20;
 
-/// Those at which a tension is measured, all with one spacing; the last one's period is looked at.
-const RADII: [u16; 3] = [10, 15, 20];
-const QUICK_RADII: [u16; 3] = [8, 10, 12];
+/// Those at which a tension is measured, all with one spacing; the last one's period is looked at. The half of a radius that
+/// is inside has to be longer than a support, which is 4.4 spacings.
+const RADII: &[u16] = &[10, 15, 20];
+const QUICK_RADII: &[u16] = &[10, 12];
 
 /// Kinematic viscosity while it swings, m2/s: an amplitude of the free drop falls by a tenth in a period.
 const VISCOSITY: f32 = 0.005;
@@ -96,9 +97,10 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let (radii, limit) = if quick { (QUICK_RADII, QUICK_PAIRWISE_LIMIT) } else { (RADII, PAIRWISE_LIMIT) };
     let mut tensions = Vec::new();
     for model in PAIRWISE {
-        let drops = radii.map(|radius| Droplet { tension: model, around: PAIRWISE_AROUND, radius, spacing: SPACING });
         let mut calm = Vec::new();
-        for drop in drops {
+        for &radius in radii {
+            let (around, offset) = (PAIRWISE_AROUND, [0.0; 2]);
+            let drop = Droplet { tension: model, around, radius, spacing: SPACING, offset };
             calm.push((drop, drop.calm(context, NAME)?));
         }
         let sigma = mean(&calm, |(_, calm)| calm.jump * calm.radius);

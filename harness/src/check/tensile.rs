@@ -21,9 +21,11 @@ const TIME_STEP: f32 = 0.001;
 /// Pa s.
 const VISCOSITY: f32 = 10.0;
 
-/// How long it runs, s: S0 shows five. Clusters are there long before.
+/// How long it runs, s: S0 shows five. Clusters are there long before. Until 2 s the blob still swings between a cube and a
+/// star: with an edge of 12 its reach along diagonals over axes is 1.23 at 1.5 s, 1.16 at 2 s, 1.124 at 3 s, 1.108 at 4 s and
+/// 1.099 at 5 s.
 const END: f64 = 5.0;
-const QUICK_END: f64 = 2.0;
+const QUICK_END: f64 = 4.0;
 const CLUSTER_END: f64 = 1.0;
 const STEPS_PER_SAMPLE: u64 = 25;
 
