@@ -1,11 +1,14 @@
-//! Promise: what compares states sees a single value that is off by one unit in the last place, wherever it is.
+//! Promise: what compares states sees a single value that is off by one unit in the last place, wherever it is; and what promises
+//! no bits may stray by 1 % of the spacing and of the speed of sound, and no more.
 use millpond::compare::{Difference, Paths, PerQuantity, compare, difference, ulp_distance};
 use millpond::snapshot::Snapshot;
 use millpond::span::Span;
 use millpond_core::OwnedMemory;
 use millpond_core::{Array, Serial, Solver};
+use millpond_gpu::Mode;
 
 mod support;
+use support::device;
 
 /// A moving fluid.
 fn state() -> Snapshot {
@@ -74,6 +77,9 @@ fn swapped_missing_and_broken_particles_are_seen() {
     broken.words_mut(Array::velocity)[21] = f32::NAN.to_bits();
     let Difference { max_abs, .. } = difference(&want, &broken).expect("a difference");
     assert!(max_abs.velocity.is_nan(), "NaN wins");
+    broken.words_mut(Array::velocity)[25] += 1;
+    let Difference { max_abs, .. } = difference(&want, &broken).expect("a difference");
+    assert!(max_abs.velocity.is_nan(), "NaN wins, whatever comes after it");
 
     let mut signed = want.clone();
     signed.words_mut(Array::velocity)[22] = 0.0f32.to_bits();
@@ -108,4 +114,29 @@ fn compare_tells_of_one_ulp_in_one_step() {
     let [meddled, others @ ..] = &told.pairs[..] else { panic!("no pairs") };
     assert_eq!((meddled.bit_equal, meddled.first_divergent_step, meddled.max_ulp.velocity), (false, Some(5), 1));
     assert!(others.iter().all(|p| p.bit_equal) && !others.is_empty());
+}
+
+#[test]
+fn compare_tells_of_a_plain_device_that_strays_by_more_than_one_percent() {
+    // it has to be one that promises no bits; what its arithmetic makes of three steps is some 1e-6 of either
+    for (share, kept) in [(0.99, true), (1.01, false)] {
+        for array in [Array::position, Array::velocity] {
+            let Some(gpu) = device("comparators_can_fail", Mode::Plain) else { return };
+            let named = support::scaled("dam-break-2d", 200);
+            let scene = &named.file.scene;
+            let whole = if array == Array::position { scene.particle_spacing } else { scene.fluid.speed_of_sound };
+            let by = share * 0.01 * whole;
+            let mut meddle = |step: u64, state: &mut Snapshot| {
+                if step == 2 {
+                    let word = &mut state.words_mut(array)[4 * 29 + 1];
+                    *word = (f32::from_bits(*word) + by).to_bits();
+                }
+            };
+            let paths = Paths { cpu: false, threads: 1, devices: vec![gpu] };
+            let told = compare(&named, Span::Steps(3), &paths, &mut meddle).expect("a comparison");
+            let [pair] = &told.pairs[..] else { panic!("{} pairs", told.pairs.len()) };
+            assert!(!pair.promised && !pair.bit_equal && pair.differing_arrays.contains(&array.name()), "{pair:?}");
+            assert_eq!((pair.within_tolerance, told.kept()), (kept, kept), "{} by {by}: {pair:?}", array.name());
+        }
+    }
 }

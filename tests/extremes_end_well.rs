@@ -1,7 +1,7 @@
 //! Promise: what nobody should ask for ends in a sound state, or in a refusal by name that changes nothing; never in a hang, a
 //! panic or numbers that mean nothing and do not say so. The cases are those of `millpond check extremes`.
 use millpond::Failure;
-use millpond::extremes::{Case, coincident, inputs, judge, particles, settings};
+use millpond::extremes::{Case, End, Measure, coincident, inputs, judge, particles, settings};
 use millpond_gpu::Mode;
 
 mod support;
@@ -39,7 +39,6 @@ fn every_number_of_a_scene_as_what_no_number_should_be() {
 
 #[test]
 fn and_one_that_should_end_otherwise_is_found() {
-    use millpond::extremes::End;
     // what is refused was to run, and what runs was to be refused: both by the particles' and by the steps' errors
     let mut wrong: Vec<Case> = particles::cases().expect("built-in scenes");
     for case in &mut wrong {
@@ -52,4 +51,26 @@ fn and_one_that_should_end_otherwise_is_found() {
         let verdict = judge(case, None).expect("no device that could fail");
         assert!(!verdict.faults.is_empty(), "{}", case.name);
     }
+}
+
+#[test]
+fn and_a_refusal_that_names_another_field_is_found() {
+    let cases = inputs::cases().expect("built-in scenes");
+    assert_eq!(cases.len(), 61 * 4, "every number of a scene");
+    let mut refused = 0;
+    for mut case in cases {
+        // a field that nobody has, and one that is there and fine
+        let end = case.end;
+        for other in ["nobodys_field", "grid.structure"] {
+            case.end = match end {
+                End::NotANumber(_) => End::NotANumber(other),
+                _ => End::Naming([other; 2], Measure::Finite),
+            };
+            let verdict = judge(&case, None).expect("no device that could fail");
+            let of_the_scene = verdict.came.starts_with("refused: ") && !verdict.came.contains("cannot start");
+            assert_eq!(!verdict.faults.is_empty(), of_the_scene, "{}: {}", case.name, verdict.came);
+            refused += u32::from(of_the_scene);
+        }
+    }
+    assert!(refused >= 2 * (61 * 3 + 20), "{refused} refusals");
 }

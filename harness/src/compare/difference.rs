@@ -62,6 +62,11 @@ pub fn difference(want: &Snapshot, got: &Snapshot) -> Option<Difference> {
     })
 }
 
+/// The larger of two distances; NaN, once it is there, for good.
+pub(super) fn larger(before: f64, now: f64) -> f64 {
+    if before.is_nan() || now <= before { before } else { now }
+}
+
 struct ArrayDifference {
     array: Array,
     first: String,
@@ -84,7 +89,7 @@ fn of_array(array: Array, want: &Snapshot, got: &Snapshot) -> Option<ArrayDiffer
             ArrayDifference { array, first, ulp: 0, abs: 0.0 }
         });
         found.ulp = found.ulp.max(ulp);
-        found.abs = if abs <= found.abs { found.abs } else { abs };
+        found.abs = larger(found.abs, abs);
     }
     out
 }

@@ -1,5 +1,5 @@
 //! What comes of holding one path against another, and how it is told.
-use super::difference::{Difference, PerQuantity};
+use super::difference::{Difference, PerQuantity, larger};
 use crate::failure::Failure;
 use crate::timing::Milliseconds;
 use millpond_core::scene::Scene;
@@ -94,8 +94,6 @@ impl Pair {
         }
         self.max_ulp.position = self.max_ulp.position.max(found.max_ulp.position);
         self.max_ulp.velocity = self.max_ulp.velocity.max(found.max_ulp.velocity);
-        // NaN must win
-        let larger = |a: f64, b: f64| if b <= a { a } else { b };
         self.max_abs.position = larger(self.max_abs.position, found.max_abs.position);
         self.max_abs.velocity = larger(self.max_abs.velocity, found.max_abs.velocity);
         self.within_tolerance = self.max_abs.position <= TOLERANCE * f64::from(scene.particle_spacing)
@@ -137,4 +135,102 @@ pub fn table(comparison: &Comparison) -> String {
         out += &format!("| {} | {:.2} | {:.2} | {verdict} |\n", pair.b, ms.min, ms.median);
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    //! Promise: a path that promises no bits may stray by 1 % of the spacing and of the speed of sound, by no more and by nothing
+    //! that is no number; and one that promises bits may not stray at all.
+    use super::*;
+    use crate::compare::difference::difference;
+    use crate::snapshot::Snapshot;
+    use millpond_core::layout::f32x4;
+    use millpond_core::scene::{Block, Dimension, Fluid};
+
+    const SPACING: f32 = 0.025;
+    const SOUND: f32 = 30.0;
+
+    fn scene() -> Scene {
+        let fluid = Fluid { speed_of_sound: SOUND, ..Fluid::default() };
+        Scene::of(Dimension::Three, SPACING, 0.001, fluid, Block::default())
+    }
+
+    /// Two particles at rest in the origin, the second of which strays along an axis, in place and in velocity.
+    fn strayed(axis: usize, place: f32, velocity: f32) -> Snapshot {
+        let of = |by: f32| {
+            let mut vectors = [f32x4::default(); 2];
+            vectors[1][axis] = by;
+            vectors
+        };
+        Snapshot::of_particles(&of(place), &of(velocity))
+    }
+
+    /// A path that is at these places at one step each, held against one that rests.
+    fn held(promised: bool, steps: &[Snapshot]) -> Comparison {
+        let mut pair = Pair::new("another".into(), promised);
+        for (step, got) in (1..).zip(steps) {
+            if let Some(found) = difference(&strayed(0, 0.0, 0.0), got) {
+                pair.note(step, found, &scene());
+            }
+        }
+        Comparison {
+            scene: "made up".into(),
+            steps: steps.len() as u64,
+            particles: 2,
+            hash: String::new(),
+            pairs: vec![pair],
+            ms_per_step: Milliseconds::default(),
+        }
+    }
+
+    #[test]
+    fn a_path_without_a_promise_strays_by_one_percent_and_no_more() {
+        let (place, velocity) = (0.01 * SPACING, 0.01 * SOUND);
+        for axis in 0..3 {
+            for sign in [1.0, -1.0] {
+                let kept = |place: f32, velocity: f32| {
+                    let comparison = held(false, &[strayed(axis, sign * place, sign * velocity)]);
+                    assert!(!comparison.pairs[0].bit_equal);
+                    comparison.kept()
+                };
+                let (under, over) = (0.9999, 1.0001);
+                assert!(
+                    kept(under * place, 0.0) && kept(0.0, under * velocity) && kept(under * place, under * velocity)
+                );
+                assert!(!kept(over * place, 0.0), "the place, by more than 1 % of the spacing");
+                assert!(!kept(0.0, over * velocity), "the velocity, by more than 1 % of the speed of sound");
+                assert!(!kept(over * place, under * velocity) && !kept(under * place, over * velocity));
+            }
+        }
+    }
+
+    #[test]
+    fn and_what_it_strayed_once_it_has_strayed() {
+        let (near, far) = (strayed(0, 0.0, 1e-6), strayed(0, 0.02 * SPACING, 0.0));
+        let comparison = held(false, &[near.clone(), far, near.clone(), strayed(0, 0.0, 0.0)]);
+        assert!(!comparison.kept(), "it came back");
+        assert_eq!(comparison.pairs[0].first_divergent_step, Some(1));
+        assert!(held(false, &[near.clone(), near]).kept());
+    }
+
+    #[test]
+    fn and_what_is_no_number_has_strayed_whatever_follows() {
+        let near = strayed(0, 1e-6, 1e-6);
+        for none in [f32::NAN, f32::INFINITY] {
+            for step in [strayed(1, none, 0.0), strayed(1, 0.0, none)] {
+                assert!(!held(false, std::slice::from_ref(&step)).kept(), "{none}");
+                assert!(!held(false, &[step, near.clone()]).kept(), "{none}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_path_that_promises_bits_may_not_stray_by_one() {
+        let least = f32::from_bits(1);
+        for step in [strayed(2, least, 0.0), strayed(2, 0.0, least), strayed(2, -0.0, 0.0)] {
+            let comparison = held(true, std::slice::from_ref(&step));
+            assert!(comparison.pairs[0].within_tolerance && !comparison.kept());
+            assert!(held(false, &[step]).kept());
+        }
+    }
 }

@@ -2,7 +2,6 @@
 use super::settings::CELLS;
 use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
-use millpond_core::SceneError;
 use millpond_core::scene::{
     Adaptive, Air, FieldLattice, Fluid, Periodic, Plasticity, Scene, SupportRange, SurfaceTension, Wall, WallShape,
     Wind,
@@ -15,7 +14,7 @@ const STEPS: u32 = 3;
 /// A number of a scene; what it belongs to is made where the scene has none.
 type Number = fn(&mut Scene) -> Option<&mut f32>;
 
-/// By name. What a check refuses first where two numbers share a name is that name.
+/// By the name that a check refuses them by. What a check refuses first where two numbers share a name is that name.
 const NUMBERS: &[(&str, Number)] = &[
     ("particle_spacing", |s| Some(&mut s.particle_spacing)),
     ("average_neighbours", |s| Some(&mut s.average_neighbours)),
@@ -80,7 +79,22 @@ const NUMBERS: &[(&str, Number)] = &[
     ("model.variable_support.largest", |s| Some(&mut range(s).largest)),
 ];
 
-/// The cases.
+/// What a refusal of 1e30 may name in a number's stead, since it follows from that number: the only ones that it may.
+const DERIVED: &[(&str, &str)] = &[
+    // their count
+    ("blocks.size", "particles"),
+    // whose extent is between these
+    ("walls.low", "walls"),
+    ("walls.high", "walls"),
+    // as many as fit between low and high
+    ("periodic.high", "grid.cells"),
+    // which may not be smaller
+    ("adaptive.smallest", "adaptive.largest"),
+    // which is scaled to it
+    ("stiffness_for_time_step", "fluid.speed_of_sound"),
+];
+
+/// The cases: as no number each is refused by its name; as 1e30 it runs, or the refusal names it or what follows from it.
 ///
 /// # Errors
 /// A built-in scene that cannot be read.
@@ -88,20 +102,17 @@ pub fn cases() -> Result<Vec<Case>, Failure> {
     let mut scene = built_in("dam-break-2d", PARTICLES)?;
     scene.grid.cells = CELLS;
     let mut cases = Vec::new();
-    for (name, number) in NUMBERS {
+    for &(name, number) in NUMBERS {
+        let derived = DERIVED.iter().find(|(of, _)| *of == name).map_or(name, |(_, derived)| derived);
         for value in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30] {
             let mut scene = scene.clone();
             *number(&mut scene).ok_or_else(|| Failure::Call(format!("extremes: no {name} to change")))? = value;
-            let end = if value.is_finite() { End::Either(Measure::Finite) } else { End::Refused(is_of_a_number) };
+            let large = value.is_finite();
+            let end = if large { End::Naming([name, derived], Measure::Finite) } else { End::NotANumber(name) };
             cases.push(Case::of_scene(format!("{name} {value:e}"), scene, STEPS, end));
         }
     }
     Ok(cases)
-}
-
-/// Is it said of a number that it is none, or outside of its bounds?
-fn is_of_a_number(error: &SceneError) -> bool {
-    matches!(error, SceneError::NotFinite { .. } | SceneError::OutOfBounds { .. })
 }
 
 fn wind(scene: &mut Scene) -> &mut Wind {

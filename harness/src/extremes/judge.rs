@@ -98,6 +98,12 @@ fn between(scalar: &Ended, others: &[Ended]) -> Vec<Fault> {
 fn refused(case: &Case, error: &SceneError) -> Verdict {
     let meant = match case.end {
         End::Refused(is_meant) => is_meant(error),
+        End::NotANumber(name) => matches!(
+            *error,
+            SceneError::NotFinite { field, value } | SceneError::OutOfBounds { field, value, .. }
+                if field == name && !value.is_finite()
+        ),
+        End::Naming(fields, _) => fields.iter().any(|field| names(error, field)),
         End::Either(_) => true,
         End::Stopped(_) | End::Runs(_) => false,
     };
@@ -106,13 +112,21 @@ fn refused(case: &Case, error: &SceneError) -> Verdict {
     Verdict { name: case.name.clone(), came, refusals: 0, compared: 0, faults }
 }
 
+/// Does its sentence name this field, by the last part of its path? A refusal of the first step names a particle instead.
+fn names(error: &SceneError, field: &str) -> bool {
+    let last = field.rsplit('.').next();
+    let sentence = error.to_string();
+    let mut words = sentence.split(|c: char| !c.is_alphanumeric() && c != '_');
+    matches!(error, SceneError::FirstStep(_)) || words.any(|word| Some(word) == last)
+}
+
 /// What came of a case that started, in words; and again as a fault, where it is not what must come of it.
 fn outcome(case: &Case, ended: &Ended) -> Result<(String, Option<Fault>), Failure> {
     let mut came = ended.words();
     let meant = match (case.end, ended.refusal) {
         (End::Stopped(is_meant), Some(error)) => is_meant(&error),
-        (End::Either(_), Some(_)) => true,
-        (End::Runs(measure) | End::Either(measure), None) => {
+        (End::Either(_) | End::Naming(..), Some(_)) => true,
+        (End::Runs(measure) | End::Either(measure) | End::Naming(_, measure), None) => {
             let seconds = ended.end.clock.time;
             let run = Run { scene: &case.scene, start: &ended.start, end: &ended.end, seconds };
             let none = not_finite(&ended.end);
@@ -124,7 +138,7 @@ fn outcome(case: &Case, ended: &Ended) -> Result<(String, Option<Fault>), Failur
             }
             figures.iter().all(|figure| figure.ok)
         }
-        (End::Refused(_), _) | (End::Stopped(_), None) | (End::Runs(_), Some(_)) => false,
+        (End::Refused(_) | End::NotANumber(_), _) | (End::Stopped(_), None) | (End::Runs(_), Some(_)) => false,
     };
     let fault = (!meant).then(|| Fault::End(came.clone()));
     Ok((came, fault))

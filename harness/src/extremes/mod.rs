@@ -47,6 +47,10 @@ pub enum End {
     Runs(Measure),
     /// A refusal of either kind; or all steps are made, and this holds.
     Either(Measure),
+    /// The scene is refused for this field, by its whole path, as no number or as one outside of its bounds.
+    NotANumber(&'static str),
+    /// As [`End::Either`], but a refusal of the scene has a sentence that names one of these two.
+    Naming([&'static str; 2], Measure),
 }
 
 /// A case whose steps were all made.

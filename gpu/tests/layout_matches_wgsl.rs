@@ -10,7 +10,7 @@ use naga::{AddressSpace, Module, TypeInner};
 mod support;
 
 fn module(pass: Pass) -> Module {
-    let plan = Plan::everything(&support::scene("dam-break", &[]).checked().expect("a scene"));
+    let plan = Plan::everything(&support::checked(&support::dam_break(1.0)));
     validate(&program(pass, &plan.model, Words::Native)).unwrap_or_else(|e| panic!("{}: {e}", pass.name())).0
 }
 

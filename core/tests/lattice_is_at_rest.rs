@@ -5,7 +5,7 @@
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use millpond_core::arithmetic::real::vec3;
 use millpond_core::derive::support_radius;
-use millpond_core::scene::{Dimension, Kernel, Scene};
+use millpond_core::scene::{Block, Dimension, Fluid, Kernel, NearPressure, PressureForce, Scene};
 use millpond_core::terms::kernel::cubic_spline::{cubic_spline_slope, cubic_spline_w};
 use millpond_core::terms::kernel::kernel_w;
 use std::collections::BTreeMap;
@@ -17,17 +17,17 @@ use support::{at_rest, heap_for};
 /// Spacing, in metres; S1's h.
 const H: f64 = 0.1;
 
-/// The lattice's scene with this support radius, in spacings.
+/// The lattice's scene with this support radius, in spacings: Tait's water at rest, by S1's kernel.
 fn lattice_scene(dimension: Dimension, support: f64) -> Scene {
-    let mut scene = support::scene("still-tank", &[]).file.scene;
     let n = if dimension == Dimension::Two { PI * support.powi(2) } else { 4.0 / 3.0 * PI * support.powi(3) };
-    scene.dimension = dimension;
-    scene.particle_spacing = H as f32;
-    scene.average_neighbours = n as f32;
-    scene.container = None;
+    let water = Fluid { speed_of_sound: 22.0, dynamic_viscosity: 5.0, ..Fluid::default() };
+    let mut scene = Scene::of(dimension, H as f32, 0.0002, water, Block::default());
     scene.blocks.clear();
-    scene.gravity = [0.0; 3];
-    scene.model.suction = true;
+    scene.average_neighbours = n as f32;
+    scene.model.density_kernel = Kernel::CubicSpline;
+    scene.model.pressure_kernel = Kernel::CubicSpline;
+    scene.model.pressure_force = PressureForce::Monaghan;
+    scene.model.near_pressure = NearPressure::Off;
     scene.grid.cells = if dimension == Dimension::Two { [16, 16, 1] } else { [16, 16, 16] };
     scene
 }

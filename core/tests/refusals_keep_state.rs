@@ -1,113 +1,38 @@
-//! Promise: every error is a typed value that names what went wrong, the same on both backends, and leaves the state hash
-//! as it was.
-use millpond::snapshot::Snapshot;
-use millpond_core::Quantity;
+//! Promise: every error is a typed value that names what went wrong, and leaves every bit of the state as it was, whatever ran
+//! before.
+//!
+//! That a device refuses the same is for `gpu/tests/refusals_keep_state.rs`.
 use millpond_core::scene::{GridStructure, InitialParticle, Scene};
-use millpond_core::{Axis, Memory, Plan, Requirements, SceneError, Serial, Simd, Solver, StepError, Storage};
-use millpond_gpu::{FloatControls, Gpu, GpuError, GpuSolver, Mode};
+use millpond_core::{Axis, Memory, Plan, Quantity, Requirements, SceneError, Serial, Simd, Solver, StepError, Storage};
 
 mod support;
-use support::{checked, device, heap_for};
+use support::refused::{self, Refused, places};
+use support::{Words, checked, dam_break, dam_break_2d, heap_for, thesis_cube};
 
-/// Particles of the thesis cube's fluid at these places.
-fn places(at: &[([f32; 3], [f32; 3])]) -> Vec<InitialParticle> {
-    at.iter().map(|&(position, velocity)| InitialParticle::at(position, velocity)).collect()
-}
-
-/// Steps both backends until they refuse; asserts that they do so with `error`, after `steps` good steps, keeping the state.
-fn refuses(test: &str, scene: &Scene, places: &[InitialParticle], steps: u64, error: StepError) {
-    let gpu = device(test, Mode::Strict);
-    for simd in [Simd::Scalar, Simd::detect()] {
-        refuses_at(simd, gpu.as_ref(), test, scene, places, steps, error);
-    }
-}
-
-fn refuses_at(
-    simd: Simd,
-    gpu: Option<&Gpu>,
-    test: &str,
-    scene: &Scene,
-    places: &[InitialParticle],
-    steps: u64,
-    error: StepError,
-) {
-    let mut heap = heap_for(scene, places.len());
-    let scene = checked(scene);
-    let start = Solver::with_particles(&scene, Plan::of(&scene), places.len(), places.iter().copied(), heap.lend());
-    let mut solver = start.expect("a scene that starts").at_level(simd);
-    let on_device = gpu.map(|gpu| GpuSolver::new(gpu, &solver).expect("a device that takes it"));
-
-    (0..steps).for_each(|_| solver.step(&Serial).expect("a good step"));
-    let before = solver.hash();
-    // a second try is refused the same way
-    for _ in 0..2 {
-        assert_eq!(solver.step(&Serial), Err(error), "{test}");
-        assert_eq!((solver.hash(), solver.steps()), (before, steps), "{test}");
-    }
-    if let Some(mut fluid) = on_device {
-        for _ in 0..2 {
-            // many more steps are recorded than can be made
-            let refused = fluid.step(20);
-            assert!(matches!(refused, Err(GpuError::Step(e)) if e == error), "{test}: {refused:?}");
-            let state = Snapshot::of_gpu(&fluid).expect("a state");
-            assert_eq!((state.hash(), fluid.steps()), (before, steps), "{test}, on the device");
+#[test]
+fn a_step_that_is_refused() {
+    for Refused { name, scene, places, good, error } in refused::all() {
+        for simd in [Simd::Scalar, Simd::detect()] {
+            let mut heap = heap_for(&scene, places.len());
+            let scene = checked(&scene);
+            let at = places.iter().copied();
+            let start = Solver::with_particles(&scene, Plan::of(&scene), places.len(), at, heap.lend());
+            let mut solver = start.expect("a scene that starts").at_level(simd);
+            (0..good).for_each(|_| solver.step(&Serial).expect("a good step"));
+            let before = (Words::of_cpu(&solver), solver.full_hash());
+            // a second try is refused the same way
+            for _ in 0..2 {
+                assert_eq!(solver.step(&Serial), Err(error), "{name}, {simd:?}");
+                assert!((Words::of_cpu(&solver), solver.full_hash()) == before, "{name}, {simd:?}");
+                assert_eq!(solver.steps(), good, "{name}, {simd:?}");
+            }
         }
     }
 }
 
 #[test]
-fn a_particle_beyond_the_grids_range() {
-    let scene = support::scene("thesis-cube", &[]).file.scene;
-    // at 1e8 m/s for 1 ms a step the third step passes 2^22 cells of 0.0931 m, or 390 km, for particles 2 and 3
-    let places = places(&[
-        ([0.0; 3], [0.0; 3]),
-        ([1.0, 0.0, 0.0], [0.0, -1e8, 0.0]),
-        ([2.0, 0.0, 0.0], [0.0, 1.9e8, 0.0]),
-        ([3.0, 0.0, 0.0], [0.0, 1.93e8, 1.93e8]),
-    ]);
-    let error = StepError::OutOfRange { particle: 2, axis: Axis::Y, step: 3 };
-    refuses("out of range", &scene, &places, 2, error);
-}
-
-#[test]
-fn a_cell_with_more_particles_than_places() {
-    let mut scene = support::scene("thesis-cube", &["near_pressure=Off"]).file.scene;
-    scene.grid.structure = GridStructure::CellLists { places: 3 };
-    // three rest in cell (0, 0, 0) of 32 x 32 x 32, a fourth flies in from above: at 0.02 m a step it enters at the 5th
-    let mut at = vec![([0.01, 0.01, 0.01], [0.0; 3]), ([0.05, 0.01, 0.05], [0.0; 3]), ([0.01, 0.01, 0.08], [0.0; 3])];
-    at.push(([0.05, 0.185, 0.05], [0.0, -20.0, 0.0]));
-    let mut heap = heap_for(&scene, 4);
-    let known = checked(&scene);
-    let plan = Plan::of(&known);
-    let mut solver = Solver::with_particles(&known, plan, 4, places(&at), heap.lend()).expect("it starts");
-    let mut good = 0;
-    while solver.step(&Serial).is_ok() {
-        good += 1;
-        assert!(good < 10, "the fourth particle never arrives");
-    }
-    assert!(good > 0, "it must fail in flight, not at the start");
-    let error = StepError::CellFull { cell: 0, count: 4, capacity: 3, step: good + 1 };
-    refuses("cell full", &scene, &places(&at), good, error);
-}
-
-#[test]
-fn a_quantity_that_is_not_finite_any_more() {
-    // so stiff a fluid that the first pair to meet overflows; apart, nothing acts. Both overflow: the smaller id is named
-    let set = ["speed_of_sound=1e18", "near_pressure=Off", "pressure_kernel=CubicSpline"];
-    let scene = support::scene("thesis-cube", &set).file.scene;
-    // particle 0 stands in the cell of particle 1, out of everyone's reach, and must not be drawn in by a lane beside it
-    let at = [[4.945, 0.0, 0.0], [5.025, 0.06, 0.06], [5.125, 0.06, 0.06]];
-    let inverse_cell = checked(&scene).derived().parameters.inverse_cell[0];
-    let cell = |x: [f32; 3]| x.map(|x| (x * inverse_cell).floor());
-    assert_eq!(cell(at[0]), cell(at[1]));
-    let places = places(&[(at[0], [0.0; 3]), (at[1], [0.0; 3]), (at[2], [-50.0, 0.0, 0.0])]);
-    let error = StepError::NotFinite { particle: 1, quantity: Quantity::Velocity, step: 1 };
-    refuses("not finite", &scene, &places, 0, error);
-}
-
-#[test]
 fn a_scene_that_cannot_start() {
-    let scene = support::scene("thesis-cube", &[]).file.scene;
+    let scene = thesis_cube(0.8);
     let start = |position: [f32; 3], velocity: [f32; 3]| {
         let mut heap = heap_for(&scene, 2);
         let at = places(&[([0.0; 3], [0.0; 3]), (position, velocity)]);
@@ -125,7 +50,7 @@ fn a_scene_that_cannot_start() {
 
 #[test]
 fn memory_that_is_too_small() {
-    let scene = support::scene("thesis-cube", &[]).file.scene;
+    let scene = thesis_cube(0.8);
     let refused = |memory: Memory<'_>| Solver::new(&scene, memory).err();
     let too_few = |what, needed, capacity| Some(SceneError::CapacityExceeded { what, needed, capacity });
     let mut storage: Box<Storage<4095, 32_768>> = Storage::boxed();
@@ -149,7 +74,7 @@ fn memory_that_is_too_small() {
 
 #[test]
 fn scenes_that_cannot_be() {
-    let base = support::scene("dam-break", &[]).file.scene;
+    let base = dam_break(1.0);
     let refused = |change: &dyn Fn(&mut Scene)| {
         let mut scene = base.clone();
         change(&mut scene);
@@ -201,14 +126,14 @@ fn scenes_that_cannot_be() {
     assert_eq!(field(error), "grid.structure.places");
     assert!(matches!(refused(&|s| s.blocks[0].size = [1e3; 3]), SceneError::TooManyParticles { .. }));
 
-    let mut flat = support::scene("dam-break-2d", &[]).file.scene;
+    let mut flat = dam_break_2d(1.0);
     flat.gravity[2] = 1.0;
     assert_eq!(flat.check().err(), Some(SceneError::OutOfPlane));
 }
 
 #[test]
 fn plans_and_places_that_do_not_fit() {
-    let scene = support::scene("dam-break-2d", &[]).file.scene;
+    let scene = dam_break_2d(1.0);
     let start = |plan, count, at: &[InitialParticle]| {
         let mut heap = heap_for(&scene, count);
         Solver::with_particles(&checked(&scene), plan, count, at.iter().copied(), heap.lend()).err()
@@ -216,7 +141,7 @@ fn plans_and_places_that_do_not_fit() {
     let plan = Plan::of(&checked(&scene));
     let one = places(&[([0.5, 0.5, 0.0], [0.0; 3])]);
     assert_eq!(start(plan, 1, &one), None);
-    let spatial = Plan::of(&support::scene("dam-break", &[]).checked().expect("a scene"));
+    let spatial = Plan::of(&checked(&dam_break(1.0)));
     assert_eq!(start(spatial, 1, &one), Some(SceneError::PlanOfAnotherScene));
     let off = places(&[([0.5, 0.5, 0.1], [0.0; 3])]);
     assert_eq!(start(plan, 1, &off), Some(SceneError::OutOfPlane));
@@ -225,12 +150,4 @@ fn plans_and_places_that_do_not_fit() {
     assert_eq!(start(plan, 2, &one), Some(short));
     let over = SceneError::WrongLength { call, what: "particles", given: 1, expected: 0 };
     assert_eq!(start(plan, 0, &one), Some(over));
-}
-
-#[test]
-fn a_device_and_a_shader_that_are_not_there() {
-    let missing = Gpu::open(Some("no such adapter"), Mode::Plain);
-    assert!(matches!(missing, Err(GpuError::NoAdapter { wanted: Some(name) }) if name == "no such adapter"));
-    let refused = millpond_gpu::strict::spirv("fn f() -> u32 { return 1.0; }", FloatControls::default());
-    assert!(matches!(refused, Err(GpuError::Shader(message)) if message.contains("return")));
 }

@@ -1,5 +1,5 @@
 //! Promise: the text of the terms is the whole physics on both sides. Every pass compiles as WGSL without a device, uses
-//! no builtin whose bits are a driver's affair, and folders and lists of passes agree.
+//! no builtin whose bits are a driver's affair, and the shaders' folders hold exactly the passes.
 use millpond_core::layout::Model;
 use millpond_core::plan::passes::Threads;
 use millpond_core::terms::texts;
@@ -12,9 +12,10 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 mod support;
+use support::files::passes_in;
 
 fn model() -> Model {
-    Plan::everything(&support::scene("dam-break", &[]).checked().expect("a scene")).model
+    Plan::everything(&support::checked(&support::dam_break(1.0))).model
 }
 
 /// All functions of a program: name, body, and what naga knows of its types.
@@ -102,47 +103,9 @@ fn every_function_of_the_terms_is_in_the_wgsl_and_defined_once() {
     assert!(wanted > 30, "{wanted} functions: the texts were read");
 }
 
-/// `folder/name` of the files with an extension in the folders of a folder that begin with a letter and an underscore, as those of
-/// passes do.
-fn passes_in(root: &str, extension: &str) -> BTreeSet<String> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(root);
-    let entries = |folder: &Path| {
-        let all = std::fs::read_dir(folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
-        all.map(|e| e.expect("an entry").file_name().into_string().expect("a name")).collect::<Vec<_>>()
-    };
-    let folders = entries(&root).into_iter().filter(|name| name.as_bytes().get(1) == Some(&b'_'));
-    let files =
-        folders.flat_map(|folder| entries(&root.join(&folder)).into_iter().map(move |file| format!("{folder}/{file}")));
-    files.filter_map(|file| file.strip_suffix(extension).map(str::to_owned)).collect()
-}
-
 #[test]
-fn both_folders_hold_exactly_the_passes() {
-    let names = |passes: &dyn Fn(&Pass) -> bool| -> BTreeSet<String> {
-        Pass::ALL.into_iter().filter(passes).map(|pass| format!("{}/{}", pass.folder(), pass.name())).collect()
-    };
-    assert_eq!(passes_in("core/src/passes", ".rs"), names(&|_| true));
-    assert_eq!(passes_in("gpu/src/shaders", ".wgsl"), names(&|pass| pass.threads() != Threads::Host));
-}
-
-#[test]
-fn folders_stand_in_the_order_of_the_step() {
-    assert!(Pass::ALL.map(Pass::folder).is_sorted());
-}
-
-#[test]
-fn every_term_file_is_a_text() {
-    let stems = |folder: &str| {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
-        let files = std::fs::read_dir(folder).expect("a folder").map(|e| e.expect("an entry").path());
-        let names = files.filter_map(|f| f.file_stem().map(|name| name.to_string_lossy().into_owned()));
-        names.filter(|name| name != "mod").collect::<Vec<String>>()
-    };
-    // a folder's mod.rs is a text too
-    let folders = ["core/src/terms", "core/src/terms/kernel", "core/src/terms/integrate"];
-    let mut files = folders.map(stems).concat();
-    files.sort();
-    let mut texts: Vec<String> = texts().map(|(name, _)| (*name).to_owned()).collect();
-    texts.sort();
-    assert_eq!(files, texts);
+fn the_shaders_folders_hold_exactly_the_passes_of_a_device() {
+    let of_a_device = Pass::ALL.into_iter().filter(|pass| pass.threads() != Threads::Host);
+    let names = of_a_device.map(|pass| format!("{}/{}", pass.folder(), pass.name())).collect();
+    assert_eq!(passes_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src/shaders"), ".wgsl"), names);
 }

@@ -8,7 +8,7 @@ use support::{Random, at_rest, checked, heap_for};
 
 /// The thesis cube's fluid, in either dimension.
 fn scene_in(dimension: Dimension) -> Scene {
-    Scene { dimension, ..support::scene("thesis-cube", &[]).file.scene }
+    Scene { dimension, ..support::thesis_cube(0.8) }
 }
 
 /// Every pair inside each other's support, by looking at all of them with the solver's own distance.
@@ -100,7 +100,7 @@ fn for_points_exactly_on_cell_faces() {
 
 #[test]
 fn after_walls_have_moved_particles_across_cell_faces() {
-    let scene = support::scaled("dam-break", 1000).file.scene;
+    let scene = support::dam_break(0.3625);
     let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
     let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
     (0..150).for_each(|_| solver.step(&Serial).expect("a step"));

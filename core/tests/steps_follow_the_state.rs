@@ -2,45 +2,14 @@
 //! that was asked for and counted where it cannot be short enough; and a device's clock shows the same bits, however many steps
 //! are recorded at once. Integrators start as they go on: with the order that they promise.
 use approx::assert_relative_eq;
-use millpond::snapshot::Snapshot;
 use millpond_core::OwnedMemory;
 use millpond_core::derive::{speed_of_sound, support_radius};
-use millpond_core::scene::{
-    Adaptive, Block, Container, Dimension, Fluid, Grid, GridStructure, InitialParticle, Integrator, ModelChoice, Scene,
-};
+use millpond_core::scene::{Adaptive, Fluid, GridStructure, InitialParticle, Integrator, Scene};
 use millpond_core::{Array, Plan, Requirements, Serial, Solver, StepError, TimeReport};
-use millpond_gpu::{GpuSolver, Mode};
 
 mod support;
-use support::{checked, device};
-
-/// A block that falls onto a floor: slow, then fast, then hard.
-fn falling() -> Scene {
-    let fluid = Fluid { speed_of_sound: 20.0, dynamic_viscosity: 2.0, ..Fluid::default() };
-    let block =
-        Block { corner: [0.2, 0.02, 0.0], size: [0.3, 0.3, 0.0], velocity: [0.0, -2.0, 0.0], ..Block::default() };
-    let mut scene = Scene::of(Dimension::Two, 0.025, 1e-3, fluid, block);
-    scene.gravity = [0.0, -9.81, 0.0];
-    scene.container = Some(Container::closed([0.0; 3], [0.7, 0.7, 0.0]));
-    scene.grid = Grid { cells: [12, 12, 1], ..Grid::default() };
-    scene.model = ModelChoice::modern();
-    scene.adaptive = Some(Adaptive::default());
-    scene
-}
-
-/// With a criterion that the impact tightens by more than what a step may miss it by.
-fn impact() -> Scene {
-    let mut scene = falling();
-    scene.time_step = 4e-3;
-    scene.adaptive = Some(Adaptive {
-        speed: None,
-        sound: None,
-        acceleration: Some(0.1),
-        redo_above: Some(1.0),
-        ..Adaptive::default()
-    });
-    scene
-}
+use support::falling::{falling, impact};
+use support::{Words, checked};
 
 /// What the criteria ask for, once more and in f64.
 fn wanted(scene: &Scene, solver: &Solver<'_>) -> f64 {
@@ -133,27 +102,7 @@ fn a_step_that_cannot_be_short_enough_is_counted() {
 }
 
 #[test]
-fn a_device_keeps_the_same_clock() {
-    let Some(gpu) = device("steps_follow_the_state", Mode::Strict) else { return };
-    for at_once in [1, 67] {
-        let scene = impact();
-        let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
-        let mut cpu = Solver::new(&scene, heap.lend()).expect("a scene");
-        let mut fluid = GpuSolver::new(&gpu, &cpu).expect("a device that takes it");
-        while cpu.steps() < 268 {
-            fluid.step(at_once).expect("steps on the device");
-            (0..at_once).for_each(|_| cpu.step(&Serial).expect("a step"));
-            assert_eq!(fluid.steps(), cpu.steps());
-            assert_eq!(fluid.time_report().expect("a report"), cpu.time_report(), "{at_once} at once");
-            assert!(Snapshot::of_gpu(&fluid).expect("a state") == Snapshot::of_cpu(&cpu), "{at_once} at once");
-        }
-        assert!(cpu.time_report().redone > 10, "attempts that sit out");
-    }
-}
-
-#[test]
 fn a_refused_step_leaves_the_clock_alone() {
-    let gpu = device("steps_follow_the_state, refused", Mode::Strict);
     let mut undone = 0;
     // as many places as the fullest cell has at the start, and more: some steps are undone before they are refused
     for places in 12..18 {
@@ -161,22 +110,16 @@ fn a_refused_step_leaves_the_clock_alone() {
         scene.grid.structure = GridStructure::CellLists { places };
         let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
         let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
-        let fluid = gpu.as_ref().map(|gpu| GpuSolver::new(gpu, &solver).expect("a device that takes it"));
-        let state = |solver: &Solver<'_>| Snapshot::of_cpu(solver);
         let (before, refused) = loop {
-            let before = state(&solver);
+            let before = Words::of_cpu(&solver);
             if let Err(error) = solver.step(&Serial) {
                 break (before, error);
             }
             assert!(solver.steps() < 1000, "no cell was ever full");
         };
         assert!(matches!(refused, StepError::CellFull { capacity, .. } if capacity == places), "{refused}");
-        assert!(state(&solver) == before);
+        assert!(Words::of_cpu(&solver) == before);
         undone += before.clock.redone;
-        if let Some(mut fluid) = fluid {
-            assert!(matches!(fluid.step(1000), Err(millpond_gpu::GpuError::Step(error)) if error == refused));
-            assert!(Snapshot::of_gpu(&fluid).expect("a state") == before, "{places} places");
-        }
     }
     assert!(undone > 0, "steps that are made again");
 }

@@ -2,12 +2,11 @@
 //! grid structures and other grid sizes, however long the neighbour lists are, for 500 steps.
 //!
 //! The hash after every step is compared, so a failure names the first step that differs.
-use millpond::pool::Pool;
-use millpond_core::OwnedMemory;
 use millpond_core::scene::{GridStructure, Scene};
-use millpond_core::{Plan, Requirements, Simd, Solver};
+use millpond_core::{OwnedMemory, Plan, Requirements, Simd, Solver};
 
 mod support;
+use support::{Threads, dam_break, dam_break_2d, thesis_cube};
 
 fn hashes(scene: &Scene, plan: Plan, simd: Simd, threads: usize, list: bool, steps: usize) -> Vec<u64> {
     let scene = support::checked(scene);
@@ -16,10 +15,9 @@ fn hashes(scene: &Scene, plan: Plan, simd: Simd, threads: usize, list: bool, ste
     let (count, places) = (scene.derived().particles(), scene.initial_particles());
     let solver = Solver::with_particles(&scene, plan, count, places, memory).expect("a scene");
     let mut solver = solver.at_level(simd);
-    let pool = Pool::new(threads).expect("threads");
     (0..steps)
         .map(|_| {
-            solver.step(&pool).expect("a step");
+            solver.step(&Threads(threads)).expect("a step");
             solver.hash()
         })
         .collect()
@@ -50,23 +48,24 @@ fn check(scene: &Scene, steps: usize) {
 
 #[test]
 fn for_500_steps_of_a_dam_break() {
-    check(&support::scaled("dam-break", 3000).file.scene, 500);
+    check(&dam_break(0.523), 500);
 }
 
 #[test]
 fn for_500_steps_of_the_thesis_cube() {
-    check(&support::scaled("thesis-cube", 1000).file.scene, 500);
+    check(&thesis_cube(0.5), 500);
 }
 
 #[test]
 fn for_500_steps_in_the_plane() {
-    check(&support::scaled("dam-break-2d", 800).file.scene, 500);
+    check(&dam_break_2d(0.5), 500);
 }
 
 #[test]
 fn with_every_term_that_the_plan_leaves_out() {
-    for name in ["dam-break", "thesis-cube", "dam-break-2d"] {
-        let scene = support::scaled(name, 1000).file.scene;
+    for (name, scene) in
+        [("dam break", dam_break(0.3625)), ("thesis cube", thesis_cube(0.5)), ("in the plane", dam_break_2d(0.56))]
+    {
         let known = support::checked(&scene);
         let [plan, everything] = [Plan::of(&known), Plan::everything(&known)];
         assert_ne!(plan, everything, "{name} leaves something out");

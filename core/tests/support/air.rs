@@ -1,0 +1,87 @@
+//! Drops with a coat of air; for CPU and device alike.
+use millpond_core::scene::{
+    Air, Block, Container, Dimension, EquationOfState, Face, Fluid, Grid, ModelChoice, Periodic, Scene, SupportRange,
+    SurfaceTension, Wall, WallShape,
+};
+
+/// Spacing, m.
+pub const SPACING: f32 = 0.05;
+
+/// Water that spins, six particles an edge, in a space that is wide enough; air a tenth as heavy and as hard to compress.
+pub fn drop(dimension: Dimension, capacity: u32) -> Scene {
+    let water = Fluid { dynamic_viscosity: 1.0, ..Fluid::default() };
+    let air = Fluid { rest_density: 100.0, speed_of_sound: 31.0, dynamic_viscosity: 0.1, ..Fluid::default() };
+    let block = Block { corner: [0.3; 3], size: [0.3; 3], velocity: [1.0, 0.5, 0.0], ..Block::default() };
+    let mut scene = Scene::of(dimension, SPACING, 0.0002, water, block);
+    let _ = scene.other_fluids.push(air);
+    scene.model = ModelChoice::multiphase();
+    scene.grid = Grid { cells: [7, 7, 5], ..Grid::default() };
+    scene.air = Some(Air { fluid: 1, capacity, threshold: 0.5, minimum_density: 0.5 });
+    scene
+}
+
+/// In the plane and in space.
+pub fn both() -> [Scene; 2] {
+    [drop(Dimension::Two, 300), drop(Dimension::Three, 1500)]
+}
+
+/// Scenes that ask everything of it: a surface tension, walls of both sorts, a domain that wraps around, springs, corrected
+/// pressure, and a capacity that is too small.
+pub fn scenes(base: &Scene) -> Vec<(&'static str, Scene)> {
+    let changed = |change: &dyn Fn(&mut Scene)| {
+        let mut scene = base.clone();
+        change(&mut scene);
+        scene
+    };
+    let capacity = base.air_capacity() as u32;
+    vec![
+        ("a drop", changed(&|_| ())),
+        ("too little air", changed(&|s| s.air = s.air.map(|air| Air { capacity: capacity / 30, ..air }))),
+        ("air that vanishes", changed(&|s| s.air = s.air.map(|air| Air { minimum_density: 0.85, ..air }))),
+        (
+            "tension",
+            changed(&|s| {
+                s.model.surface_tension = SurfaceTension::NormalCurvature;
+                s.fluid.surface_tension = 1.0;
+            }),
+        ),
+        (
+            "a floor of planes",
+            changed(&|s| {
+                s.gravity = [0.0, -9.81, 0.0];
+                s.container = Some(Container::closed([0.28, 0.29, 0.28], [0.9, 0.9, 0.9]));
+            }),
+        ),
+        (
+            "a tank of particles",
+            changed(&|s| {
+                s.gravity = [0.0, -9.81, 0.0];
+                let open = [Face::Ceiling].into_iter().collect();
+                let shape = WallShape::Box { low: [0.3; 3], high: [0.7; 3], open };
+                s.walls = [Wall::still(shape)].into_iter().collect();
+            }),
+        ),
+        (
+            "a domain that wraps around",
+            changed(&|s| {
+                s.periodic = Some(Periodic { low: [0.28; 3], high: [0.88; 3], axes: [true, true, false] });
+            }),
+        ),
+        (
+            "heat, XSPH and springs",
+            changed(&|s| {
+                s.model.thermal_energy = true;
+                (s.fluid.xsph, s.fluid.elastic_stiffness) = (0.3, 100.0);
+                s.other_fluids[0].thermal_energy = 3.0;
+            }),
+        ),
+        (
+            "corrected pressure",
+            changed(&|s| {
+                s.model.equation_of_state = EquationOfState::PressureCorrection;
+                s.model.variable_support = Some(SupportRange { smallest: 0.8, largest: 1.2 });
+                s.model.suction = false;
+            }),
+        ),
+    ]
+}

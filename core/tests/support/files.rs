@@ -1,0 +1,16 @@
+//! What lies in folders.
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// `folder/name` of the files with an extension in the folders of a folder that begin with a letter and an underscore, as those of
+/// passes do.
+pub fn passes_in(root: &Path, extension: &str) -> BTreeSet<String> {
+    let entries = |folder: &Path| {
+        let all = std::fs::read_dir(folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
+        all.map(|e| e.expect("an entry").file_name().into_string().expect("a name")).collect::<Vec<_>>()
+    };
+    let folders = entries(root).into_iter().filter(|name| name.as_bytes().get(1) == Some(&b'_'));
+    let files =
+        folders.flat_map(|folder| entries(&root.join(&folder)).into_iter().map(move |file| format!("{folder}/{file}")));
+    files.filter_map(|file| file.strip_suffix(extension).map(str::to_owned)).collect()
+}

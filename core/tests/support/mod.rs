@@ -1,0 +1,148 @@
+//! What tests of a fluid share, and need nothing but core for: small scenes, threads, random numbers. The tests of `gpu/tests`
+//! and `tests` read this text too.
+#![allow(dead_code, unreachable_pub, reason = "each test uses its part")]
+use millpond_core::plan::arrays::{Class, Unit};
+use millpond_core::scene::{
+    Block, Container, Dimension, Fluid, Grid, InitialParticle, Kernel, ModelChoice, NearPressure, PressureForce, Scene,
+};
+use millpond_core::{Array, Checked, Executor, OwnedMemory, Plan, Requirements, Solver, TimeReport};
+
+pub mod air;
+pub mod falling;
+pub mod files;
+pub mod refused;
+
+/// The cube of the thesis (S0 section 5.2), of `edge` m and 8000 particles a cubic metre: nothing but each other.
+pub fn thesis_cube(edge: f32) -> Scene {
+    let fluid = Fluid { dynamic_viscosity: 10.0, ..Fluid::default() };
+    let block = Block { corner: [-edge / 2.0; 3], size: [edge; 3], ..Block::default() };
+    let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, fluid, block);
+    scene.average_neighbours = 27.0;
+    scene.grid = Grid { cells: [32, 32, 32], ..Grid::default() };
+    scene
+}
+
+/// The choices of a dam break.
+fn of_a_dam() -> ModelChoice {
+    ModelChoice {
+        density_kernel: Kernel::CubicSpline,
+        pressure_kernel: Kernel::CubicSpline,
+        suction: false,
+        pressure_force: PressureForce::Monaghan,
+        near_pressure: NearPressure::Off,
+        ..ModelChoice::default()
+    }
+}
+
+/// A column of water that falls into a box, both `scale` times as long as of 21 000 particles.
+pub fn dam_break(scale: f32) -> Scene {
+    let fluid = Fluid { speed_of_sound: 20.0, dynamic_viscosity: 5.0, ..Fluid::default() };
+    let block = Block { size: [1.2, 1.4, 0.8].map(|x| x * scale), jitter: 0.02, ..Block::default() };
+    let mut scene = Scene::of(Dimension::Three, 0.04, 0.001, fluid, block);
+    scene.average_neighbours = 32.0;
+    scene.gravity = [0.0, -9.81, 0.0];
+    scene.container = Some(Container::closed([0.0; 3], [3.2, 2.4, 0.8].map(|x| x * scale)));
+    scene.model = of_a_dam();
+    scene.grid = Grid { cells: [48, 32, 16].map(|n: u16| (f32::from(n) * scale).ceil() as u32), ..Grid::default() };
+    scene
+}
+
+/// The same in the plane, `scale` times as long as of 3200 particles.
+pub fn dam_break_2d(scale: f32) -> Scene {
+    let fluid = Fluid { speed_of_sound: 25.0, dynamic_viscosity: 5.0, ..Fluid::default() };
+    let block = Block { size: [scale, 2.0 * scale, 0.0], jitter: 0.02, ..Block::default() };
+    let mut scene = Scene::of(Dimension::Two, 0.025, 0.0005, fluid, block);
+    scene.average_neighbours = 21.0;
+    scene.gravity = [0.0, -9.81, 0.0];
+    scene.container = Some(Container::closed([0.0; 3], [4.0 * scale, 3.0 * scale, 0.0]));
+    scene.model = of_a_dam();
+    let [x, y] = [64.0, 48.0].map(|n: f32| (n * scale).ceil() as u32);
+    scene.grid = Grid { cells: [x, y, 1], ..Grid::default() };
+    scene
+}
+
+/// A scene with all that follows from it.
+pub fn checked(scene: &Scene) -> Checked<'_> {
+    scene.check().expect("a scene")
+}
+
+/// Memory for `count` particles in the cells of `scene`.
+pub fn heap_for(scene: &Scene, count: usize) -> OwnedMemory {
+    OwnedMemory::with(&Requirements::of(&checked(scene)).for_particles(count))
+}
+
+/// A solver of particles at rest at these places.
+pub fn at_rest<'a>(scene: &Scene, positions: &[[f32; 3]], heap: &'a mut OwnedMemory) -> Solver<'a> {
+    let places = positions.iter().map(|&position| InitialParticle::at(position, [0.0; 3]));
+    let scene = checked(scene);
+    Solver::with_particles(&scene, Plan::of(&scene), positions.len(), places, heap.lend()).expect("a scene")
+}
+
+/// Every word of a fluid's state by particle id, and its clock: two are equal where every bit is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Words {
+    arrays: Vec<Vec<u32>>,
+    /// What became of the time step.
+    pub clock: TimeReport,
+}
+
+impl Words {
+    /// Of arrays whose particles lie in these slots.
+    pub fn of<'a>(slots: &[u32], words: impl Fn(Array) -> &'a [u32], clock: TimeReport) -> Words {
+        let state = Array::ALL.iter().copied().filter(|array| array.class() == Class::State);
+        let by_id = |array: Array| {
+            let (all, entry) = (words(array), array.words());
+            if array.unit() != Unit::Particle || all.is_empty() {
+                return all.to_vec();
+            }
+            slots.iter().flat_map(|&slot| &all[slot as usize * entry..][..entry]).copied().collect()
+        };
+        Words { arrays: state.map(by_id).collect(), clock }
+    }
+
+    /// Of a solver.
+    pub fn of_cpu(solver: &Solver<'_>) -> Words {
+        Words::of(solver.slots(), |array| solver.words(array), solver.time_report())
+    }
+}
+
+/// So many threads of the standard library, made anew for each pass.
+#[derive(Clone, Copy, Debug)]
+pub struct Threads(pub usize);
+
+impl Executor for Threads {
+    fn width(&self) -> usize {
+        self.0
+    }
+
+    fn run<J: Send>(&self, jobs: &mut [J], work: impl Fn(&mut J) + Sync) {
+        let Threads(threads) = *self;
+        if threads == 1 {
+            return jobs.iter_mut().for_each(work);
+        }
+        let share = jobs.len().div_ceil(threads).max(1);
+        std::thread::scope(|scope| {
+            for jobs in jobs.chunks_mut(share) {
+                scope.spawn(|| jobs.iter_mut().for_each(&work));
+            }
+        });
+    }
+}
+
+/// Random numbers that are always the same ones (splitmix64).
+pub struct Random(pub u64);
+
+impl Random {
+    /// Any bits.
+    pub fn bits(&mut self) -> u32 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (z ^ (z >> 31)) as u32
+    }
+
+    /// Between 0 and 1.
+    pub fn unit(&mut self) -> f32 {
+        (self.bits() >> 8) as f32 / (1u32 << 24) as f32
+    }
+}

@@ -1,0 +1,38 @@
+//! Promise: a device refuses what the CPU refuses, by the same error after the same step, and leaves every bit of the state as it
+//! was, however many steps it was told of; and what is missing before it can start is told by name.
+use millpond_core::{Plan, Serial, Solver};
+use millpond_gpu::{FloatControls, Gpu, GpuError, GpuSolver, Mode};
+
+mod support;
+use support::refused::{self, Refused};
+use support::{Words, checked, device, heap_for, words_of};
+
+#[test]
+fn a_step_that_is_refused() {
+    let Some(gpu) = device("refusals_keep_state", Mode::Strict) else { return };
+    for Refused { name, scene, places, good, error } in refused::all() {
+        let mut heap = heap_for(&scene, places.len());
+        let scene = checked(&scene);
+        let at = places.iter().copied();
+        let start = Solver::with_particles(&scene, Plan::of(&scene), places.len(), at, heap.lend());
+        let mut solver = start.expect("a scene that starts");
+        let mut fluid = GpuSolver::new(&gpu, &solver).expect("a device that takes it");
+        (0..good).for_each(|_| solver.step(&Serial).expect("a good step"));
+        assert_eq!(solver.step(&Serial), Err(error), "{name}, on the CPU");
+        for _ in 0..2 {
+            // many more steps are recorded than can be made
+            let refused = fluid.step(20);
+            assert!(matches!(refused, Err(GpuError::Step(e)) if e == error), "{name}: {refused:?}");
+            assert!(words_of(&fluid) == Words::of_cpu(&solver), "{name}");
+            assert_eq!(fluid.steps(), good, "{name}");
+        }
+    }
+}
+
+#[test]
+fn a_device_and_a_shader_that_are_not_there() {
+    let missing = Gpu::open(Some("no such adapter"), Mode::Plain);
+    assert!(matches!(missing, Err(GpuError::NoAdapter { wanted: Some(name) }) if name == "no such adapter"));
+    let refused = millpond_gpu::strict::spirv("fn f() -> u32 { return 1.0; }", FloatControls::default());
+    assert!(matches!(refused, Err(GpuError::Shader(message)) if message.contains("return")));
+}
