@@ -9,9 +9,8 @@ use std::os::unix::fs::PermissionsExt as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// KiB that it must do with. Windows gives a main thread 1024, and that is the aim; the loop over pairs of forces for AVX2 alone has
-/// a frame of 940 KiB where nothing is optimised, and all else takes 90.
-const STACK: u64 = 1280;
+/// KiB that it must do with: what Windows gives a main thread.
+const STACK: u64 = 1024;
 
 /// A command of cargo on core, unoptimised.
 fn cargo(target: &Path, what: &[&str]) -> Command {

@@ -125,14 +125,22 @@ pub(crate) fn run<P: PairPass>(
     jobs.iter().map(|job| job.largest).max().unwrap_or(0)
 }
 
-impl<P: PairPass> Work for &mut Job<'_, P> {
+/// Work on the usual scenes, and work on all others. Each is a function of its own at each level: unoptimised, the two in one would take
+/// more stack than a thread of a host may have.
+pub(crate) struct Plain<'j, J>(pub &'j mut J);
+pub(crate) struct General<'j, J>(pub &'j mut J);
+
+impl<P: PairPass> Work for Plain<'_, Job<'_, P>> {
     #[inline(always)]
     fn run<R: Real>(self) {
-        if self.setup.model.is_plain() {
-            self.run_by::<R>(self.setup.model.plain());
-        } else {
-            self.run_by::<R>(*self.setup.model);
-        }
+        self.0.run_by::<R>(self.0.setup.model.plain());
+    }
+}
+
+impl<P: PairPass> Work for General<'_, Job<'_, P>> {
+    #[inline(always)]
+    fn run<R: Real>(self) {
+        self.0.run_by::<R>(*self.0.setup.model);
     }
 }
 
@@ -141,7 +149,7 @@ impl<P: PairPass> Job<'_, P> {
     #[inline(always)]
     pub(crate) fn run(&mut self) {
         let simd = self.setup.simd;
-        simd.run(self);
+        if self.setup.model.is_plain() { simd.run(Plain(self)) } else { simd.run(General(self)) }
     }
 
     /// All blocks by this model, parts of which the compiler may know.

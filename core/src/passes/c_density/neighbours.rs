@@ -8,7 +8,7 @@ use crate::layout::{Model, u32x2};
 use crate::passes::context::{Setup, Step};
 use crate::passes::lanes::load;
 use crate::passes::local::{Particles, particles};
-use crate::passes::pairs::{NOT_LISTED, cells};
+use crate::passes::pairs::{General, NOT_LISTED, Plain, cells};
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use crate::terms::wall::MIRRORED;
 use core::ops::Range;
@@ -52,17 +52,20 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
 /// Compiled once, in this crate: see [`PairPass::work`](crate::passes::pairs::PairPass::work).
 fn work(job: &mut Job<'_>) {
     let simd = job.setup.simd;
-    simd.run(job);
+    if job.setup.model.is_plain() { simd.run(Plain(job)) } else { simd.run(General(job)) }
 }
 
-impl Work for &mut Job<'_> {
+impl Work for Plain<'_, Job<'_>> {
     #[inline(always)]
     fn run<R: Real>(self) {
-        if self.setup.model.is_plain() {
-            self.run_by::<R>(self.setup.model.plain());
-        } else {
-            self.run_by::<R>(*self.setup.model);
-        }
+        self.0.run_by::<R>(self.0.setup.model.plain());
+    }
+}
+
+impl Work for General<'_, Job<'_>> {
+    #[inline(always)]
+    fn run<R: Real>(self) {
+        self.0.run_by::<R>(*self.0.setup.model);
     }
 }
 
