@@ -1,23 +1,21 @@
 //! The public face: a scene in lent memory, stepped.
 use crate::arithmetic::level::Simd;
-use crate::arithmetic::real::{div, vec3};
-use crate::clock::{Clock, SteadyTime, TimeReport, set_step};
+use crate::clock::{Clock, SteadyTime, TimeReport};
 use crate::derive::kernel_tables::fill_tables;
 use crate::error::{SceneError, StepError};
 use crate::executor::Executor;
 use crate::hash::{full_state_hash, state_hash};
 use crate::layout::{MOST_ATTEMPTS, Materials, Model, Parameters, Status, StepUniform, f32x4, u32x2};
-use crate::live::{Change, Constants, LiveScene};
+use crate::live::{Constants, LiveScene};
 use crate::memory::{Arrays, Memory, Requirements, State};
 use crate::passes::context::{Found, Setup, Step};
 use crate::plan::Plan;
 use crate::plan::arrays::{Array, Class};
 use crate::plan::passes::Pass;
 use crate::plan::schedule::{Command, Schedule, evaluation};
-use crate::save::{Record, fingerprint};
-use crate::scene::{InitialParticle, Scene, Wind};
+use crate::record::{CorrectionReport, Record, fingerprint};
+use crate::scene::{InitialParticle, Scene};
 use crate::step;
-use crate::terms::integrate::history_rescaled;
 use crate::validate::{Checked, check_count};
 
 /// A fluid that can be stepped.
@@ -46,12 +44,12 @@ use crate::validate::{Checked, check_count};
 pub struct Solver<'m> {
     pub(crate) plan: Plan,
     schedule: Schedule,
-    live: LiveScene,
+    pub(crate) live: LiveScene,
     pub(crate) constants: Constants,
-    steady: SteadyTime,
+    pub(crate) steady: SteadyTime,
     simd: Simd,
     pub(crate) clock: Clock,
-    steps: u64,
+    pub(crate) steps: u64,
     correction: CorrectionReport,
     pub(crate) air_refused: u64,
     /// Which of the two states is the fluid; the other is where a step is tried.
@@ -59,17 +57,6 @@ pub struct Solver<'m> {
     requirements: Requirements,
     fingerprint: u64,
     pub(crate) memory: Arrays<'m>,
-}
-
-/// What the pressure correction came to.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct CorrectionReport {
-    /// Iterations of the last step.
-    pub iterations: u32,
-    /// Iterations of all steps.
-    pub total_iterations: u64,
-    /// Largest density miss that the last step was left with, over the rest density.
-    pub residual: f32,
 }
 
 impl<'m> Solver<'m> {
@@ -172,96 +159,6 @@ impl<'m> Solver<'m> {
         Err(StepError::NoTimeStep { attempts: MOST_ATTEMPTS, step: self.steps + 1 })
     }
 
-    /// Another acceleration of gravity from now on, m/s2; like every change between steps checked as at creation.
-    ///
-    /// # Errors
-    /// A value that no scene can have. A term that the plan left out, where the scene does not list it in
-    /// [`Scene::live`]. Before the first step also one that makes accelerations that are not finite. The fluid then is as it was.
-    pub fn set_gravity(&mut self, gravity: [f32; 3]) -> Result<(), SceneError> {
-        self.change(Change::Gravity(gravity))
-    }
-
-    /// Another wind from now on, or none.
-    ///
-    /// # Errors
-    /// As for [`Solver::set_gravity`].
-    pub fn set_wind(&mut self, wind: Option<Wind>) -> Result<(), SceneError> {
-        self.change(Change::Wind(wind))
-    }
-
-    /// Another time step from now on, s. What an integrator remembers of the last step follows.
-    ///
-    /// # Errors
-    /// As for [`Solver::set_gravity`]; also where the time step follows from the state, and with the integrators of Beeman.
-    pub fn set_time_step(&mut self, time_step: f32) -> Result<(), SceneError> {
-        self.change(Change::TimeStep(time_step))
-    }
-
-    /// Another dynamic viscosity of a fluid by number from now on, Pa s; blocks and walls with one of their own keep it.
-    ///
-    /// # Errors
-    /// As for [`Solver::set_gravity`]; also a number that no fluid has.
-    pub fn set_viscosity(&mut self, fluid: u32, viscosity: f32) -> Result<(), SceneError> {
-        self.change(Change::Viscosity(fluid, viscosity))
-    }
-
-    /// Another surface tension of a fluid by number from now on ([`Fluid::surface_tension`](crate::scene::Fluid::surface_tension)).
-    ///
-    /// # Errors
-    /// As for [`Solver::set_viscosity`].
-    pub fn set_surface_tension(&mut self, fluid: u32, tension: f32) -> Result<(), SceneError> {
-        self.change(Change::SurfaceTension(fluid, tension))
-    }
-
-    /// Another speed of sound of a fluid by number from now on, m/s. A near stiffness that the scene does not name follows.
-    ///
-    /// # Errors
-    /// As for [`Solver::set_viscosity`]; also for a fluid with a stiffness.
-    pub fn set_speed_of_sound(&mut self, fluid: u32, speed: f32) -> Result<(), SceneError> {
-        self.change(Change::SpeedOfSound(fluid, speed))
-    }
-
-    /// Another constant of Tait's equation of a fluid by number from now on, Pa
-    /// ([`Fluid::stiffness`](crate::scene::Fluid::stiffness)).
-    ///
-    /// # Errors
-    /// As for [`Solver::set_viscosity`].
-    pub fn set_stiffness(&mut self, fluid: u32, stiffness: f32) -> Result<(), SceneError> {
-        self.change(Change::Stiffness(fluid, stiffness))
-    }
-
-    /// Makes a change between two steps.
-    fn change(&mut self, change: Change) -> Result<(), SceneError> {
-        let (live, mut next) = self.live.changed(change)?;
-        // the step's length and number are the clock's, unless it is they that change
-        let (was, steady) = (self.constants.step.time_step, self.steady);
-        let before = (core::mem::replace(&mut self.live, live), self.constants, steady);
-        if !matches!(change, Change::TimeStep(_)) {
-            let StepUniform { gravity, wind, .. } = next.step;
-            next.step = StepUniform { gravity, wind, ..self.constants.step };
-        }
-        next.step.step = self.constants.step.step;
-        self.constants = next;
-        if self.steps == 0 {
-            // the first step begins with the accelerations at the start
-            if let Err(error) = self.evaluate() {
-                (self.live, self.constants, self.steady) = before;
-                return Err(error.into());
-            }
-            self.remember();
-        } else if matches!(change, Change::TimeStep(_)) {
-            set_step(&mut self.constants.step, next.step.time_step);
-            self.steady = steady.changed(self.steps, was);
-            let times = div(self.constants.step.time_step, was);
-            let model = self.plan.model;
-            for history in self.memory.states[self.current].history.iter_mut() {
-                let vec3 { x, y, z } = history_rescaled::<f32>(&model, vec3::splat(*history), times);
-                *history = [x, y, z, 0.0];
-            }
-        }
-        Ok(())
-    }
-
     /// How simulated time follows from the steps, where they are all alike.
     #[must_use]
     pub fn steady_time(&self) -> SteadyTime {
@@ -272,33 +169,6 @@ impl<'m> Solver<'m> {
     #[must_use]
     pub fn live(&self) -> &LiveScene {
         &self.live
-    }
-
-    /// The host's field from now on, one acceleration a node of [`Scene::field`], x fastest, m/s2; the fourth numbers are
-    /// unused. A field that changes with time is set again before each step, as it will be at the end of the step; set before
-    /// the first step, it also acts in that step's first half.
-    ///
-    /// # Errors
-    /// Fewer or more nodes than the scene says, or a value that is not finite; the field then stays as it was. Before the first
-    /// step also one that makes accelerations that are no numbers; the field then is 0, and the fluid as it was.
-    pub fn set_field(&mut self, nodes: &[f32x4]) -> Result<(), SceneError> {
-        let (given, expected) = (nodes.len(), self.memory.given.acceleration_field.len());
-        if given != expected {
-            return Err(SceneError::WrongLength { call: "set_field", what: "nodes", given, expected });
-        }
-        if let Some(&value) = nodes.as_flattened().iter().find(|x| !x.is_finite()) {
-            return Err(SceneError::NotFinite { field: "field", value });
-        }
-        self.memory.given.acceleration_field.copy_from_slice(nodes);
-        if self.steps == 0 && expected > 0 {
-            // the first step begins with the accelerations at the start
-            if let Err(error) = self.evaluate() {
-                self.memory.given.acceleration_field.fill([0.0; 4]);
-                return Err(error.into());
-            }
-            self.remember();
-        }
-        Ok(())
     }
 
     /// Evaluates forces in the state that is not the fluid, while time stands still or runs back.

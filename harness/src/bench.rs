@@ -194,8 +194,7 @@ fn structures(named: &Named, pool: &Pool, steps: u32) -> Result<Vec<StructureTim
         scene
     });
     let refused = |error| Failure::Scene { origin: named.name.clone(), error };
-    let [sorted, listed] = &scenes;
-    let checked = [sorted.check().map_err(refused)?, listed.check().map_err(refused)?];
+    let checked = scenes.iter().map(|scene| scene.check().map_err(refused)).collect::<Result<Vec<_>, _>>()?;
     let mut heaps = [OwnedMemory::of(&checked[0]), OwnedMemory::of(&checked[1])];
     let mut solvers = Vec::new();
     for (scene, heap) in checked.iter().zip(&mut heaps) {

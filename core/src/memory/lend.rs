@@ -1,12 +1,8 @@
 //! How memory is lent to a solver: arrays by their names, and an arena for all that have none.
-use super::requirements::Requirements;
-use super::views::Arrays;
+use super::requirements::{LINE_WORDS, Requirements};
 use crate::error::SceneError;
 use crate::plan::arrays::{Array, Unit};
 use bytemuck::Pod;
-
-/// Words to which arrays in an arena are aligned: a cache line.
-pub(super) const LINE_WORDS: usize = 16;
 
 /// Memory lent to a solver: some arrays by name, as [`Storage`](super::Storage) does, all others in an arena. It may be larger than a
 /// scene needs.
@@ -46,13 +42,13 @@ impl<'m> Memory<'m> {
         Memory { most_neighbours: most, ..self }
     }
 
-    /// The arrays of a simulation with these requirements.
-    pub(crate) fn carve(self, requirements: &Requirements) -> Result<Arrays<'m>, SceneError> {
+    /// What hands out the arrays of a simulation with these requirements.
+    pub(super) fn lender<'r>(self, requirements: &'r Requirements) -> Lender<'m, 'r> {
         let Memory { named, arena, most_neighbours } = self;
         let unnamed = |array: &&Array| named[**array as usize][0].is_empty();
         let needed = Array::ALL.iter().filter(unnamed).map(|&array| requirements.arena_bytes_of(array)).sum();
         let too_small = SceneError::CapacityExceeded { what: "bytes of arena", needed, capacity: size_of_val(arena) };
-        Arrays::carve(&mut Lender { named, arena, most_neighbours, requirements, too_small })
+        Lender { named, arena, most_neighbours, requirements, too_small }
     }
 }
 

@@ -1,5 +1,4 @@
 //! How much memory a scene needs, array by array.
-use super::lend::LINE_WORDS;
 use crate::layout::{Model, TABLE_WORDS};
 use crate::plan::Plan;
 use crate::plan::arrays::{Array, Unit};
@@ -8,6 +7,9 @@ use crate::validate::Checked;
 /// Entries of the neighbour lists for each particle. A block whose list is full walks its cells again; 25 was the largest mean seen in
 /// moving fluid of 27 to 32 neighbours.
 pub const LIST_ENTRIES: usize = 32;
+
+/// Words to which arrays in an arena are aligned: a cache line.
+pub(super) const LINE_WORDS: usize = 16;
 
 /// What a scene has how many of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -122,12 +124,5 @@ impl Requirements {
     #[must_use]
     pub fn arena_bytes(&self) -> usize {
         Array::ALL.iter().map(|&array| self.arena_bytes_of(array)).fold(0, usize::saturating_add)
-    }
-
-    /// Bytes of an arena beside a [`Storage`](super::Storage) with places for this scene's cell lists, where it has any.
-    #[must_use]
-    pub fn arena_bytes_beside_storage(&self) -> usize {
-        let optional = Array::ALL.iter().filter(|array| !super::storage::NAMED.contains(array));
-        optional.map(|&array| self.arena_bytes_of(array)).fold(0, usize::saturating_add)
     }
 }

@@ -3,7 +3,7 @@
 //! [`Storage`] and [`Arena`] are all zero, so as a `static` they lie in .bss and cost the binary nothing. The solver itself only sees
 //! slices of any origin, and so is compiled once for every capacity.
 use super::lend::Memory;
-use super::requirements::LIST_ENTRIES;
+use super::requirements::{LIST_ENTRIES, Requirements};
 use crate::layout::{f32x4, u32x2};
 use crate::plan::arrays::Array;
 
@@ -41,7 +41,7 @@ pub struct Storage<const N: usize, const CELLS: usize, const PLACES: usize = 0> 
 }
 
 /// The arrays that a storage has by name.
-pub(super) const NAMED: [Array; 17] = [
+const NAMED: [Array; 17] = [
     Array::position,
     Array::velocity,
     Array::acceleration,
@@ -167,5 +167,14 @@ impl<'m> Memory<'m> {
     #[must_use]
     pub fn with_arena<const BYTES: usize>(self, arena: &'m mut Arena<BYTES>) -> Memory<'m> {
         self.with_arena_bytes(&mut arena.0)
+    }
+}
+
+impl Requirements {
+    /// Bytes of an arena beside a [`Storage`] with places for this scene's cell lists, where it has any.
+    #[must_use]
+    pub fn arena_bytes_beside_storage(&self) -> usize {
+        let optional = Array::ALL.iter().filter(|array| !NAMED.contains(array));
+        optional.map(|&array| self.arena_bytes_of(array)).fold(0, usize::saturating_add)
     }
 }

@@ -1,5 +1,6 @@
 //! The arrays of a simulation as slices, made from the table of arrays. What a scene does without has no entries.
-use super::lend::Lender;
+use super::lend::{Lender, Memory};
+use super::requirements::Requirements;
 use crate::error::SceneError;
 use crate::layout::{Model, f32x4, u32x2, u32x4};
 use crate::plan::arrays::{Array, with_arrays};
@@ -82,12 +83,14 @@ pub struct Arrays<'m> {
     pub given: Given<'m>,
 }
 
-impl<'m> Arrays<'m> {
-    pub(super) fn carve(lender: &mut Lender<'m, '_>) -> Result<Arrays<'m>, SceneError> {
+impl<'m> Memory<'m> {
+    /// The arrays of a simulation with these requirements.
+    pub(crate) fn carve(self, requirements: &Requirements) -> Result<Arrays<'m>, SceneError> {
+        let mut lender = self.lender(requirements);
         Ok(Arrays {
-            states: [State::carve(lender, 0)?, State::carve(lender, 1)?],
-            scratch: Scratch::carve(lender, 0)?,
-            given: Given::carve(lender, 0)?,
+            states: [State::carve(&mut lender, 0)?, State::carve(&mut lender, 1)?],
+            scratch: Scratch::carve(&mut lender, 0)?,
+            given: Given::carve(&mut lender, 0)?,
         })
     }
 }
