@@ -18,7 +18,7 @@ pub use measures::Measure;
 use crate::failure::Failure;
 use crate::scenes::{Changes, load};
 use crate::snapshot::Snapshot;
-use millpond_core::scene::{InitialParticle, Scene};
+use millpond_core::scene::{GridStructure, InitialParticle, Scene};
 use millpond_core::{SceneError, StepError};
 
 /// A scene at an extreme.
@@ -90,7 +90,10 @@ pub fn cases() -> Result<Vec<Case>, Failure> {
     Ok(cases)
 }
 
-/// A built-in scene of about so many particles.
+/// A built-in scene of about so many particles, sorted by an index: no crowd is too large for a cell of it. What is about cells that
+/// are full says so itself.
 fn built_in(name: &str, particles: u64) -> Result<Scene, Failure> {
-    Ok(load(name, &Changes { set: Vec::new(), particles: Some(particles) })?.file.scene)
+    let mut scene = load(name, &Changes { set: Vec::new(), particles: Some(particles) })?.file.scene;
+    scene.grid.structure = GridStructure::IndexSort;
+    Ok(scene)
 }
