@@ -9,8 +9,8 @@ use millpond_core::layout::f32x4;
 use millpond_core::scene::{
     Adaptive, Air, Block, Container, Correction, DensityForm, Dimension, Elasticity, EquationOfState, Evaluation,
     FieldLattice, Fluid, Grid, GridStructure, Integrator, Iteration, Kernel, ModelChoice, NearPressure, Periodic,
-    Plasticity, PressureForce, Reflection, Scene, SupportRange, SurfaceTension, Viscosity, Wall, WallPressure,
-    WallShape, Wind,
+    Plasticity, PressureForce, PressureSolver, Reflection, Scene, SupportRange, SurfaceTension, Viscosity, Wall,
+    WallPressure, WallShape, Wind,
 };
 use millpond_core::{Plan, Simd, Solver};
 use millpond_gpu::program::{Words, program};
@@ -101,7 +101,7 @@ fn choices(base: &Scene) -> Vec<(String, Scene)> {
             [(Iteration::Relaxed, 1e-4), (Iteration::Relaxed, 0.5), (Iteration::Literal, 1e-3)]
         {
             add(format!("correction {iteration:?} {force:?} to {tolerance}"), &|s| {
-                s.model.equation_of_state = EquationOfState::PressureCorrection;
+                s.model.pressure_solver = PressureSolver::PressureCorrection;
                 (s.model.pressure_force, s.model.suction) = (force, false);
                 s.model.correction = Correction { iteration, iterations: 5, tolerance };
             });
@@ -150,7 +150,7 @@ fn choices(base: &Scene) -> Vec<(String, Scene)> {
         });
         add(format!("surface_tension {tension:?}, corrected pressure and supports that vary"), &|s| {
             s.model.surface_tension = tension;
-            s.model.equation_of_state = EquationOfState::PressureCorrection;
+            s.model.pressure_solver = PressureSolver::PressureCorrection;
             s.model.pressure_force = PressureForce::MonaghanAdapted;
             s.model.variable_support = Some(SupportRange { smallest: 0.7, largest: 1.3 });
             walls(s);
@@ -196,7 +196,7 @@ fn choices(base: &Scene) -> Vec<(String, Scene)> {
     add("adaptive, of two fluids in supports that vary, with corrected pressure".into(), &|s| {
         second_fluid(s);
         s.model.variable_support = Some(SupportRange { smallest: 0.7, largest: 1.3 });
-        s.model.equation_of_state = EquationOfState::PressureCorrection;
+        s.model.pressure_solver = PressureSolver::PressureCorrection;
         s.model.pressure_force = PressureForce::MonaghanAdapted;
         s.adaptive = Some(Adaptive { redo_above: Some(1.0), ..Adaptive::default() });
     });
@@ -225,14 +225,17 @@ fn choices(base: &Scene) -> Vec<(String, Scene)> {
             (s.model.equation_of_state, s.model.pressure_force) = (state, PressureForce::MonaghanAdapted);
             second_fluid(s);
         });
-        if state != EquationOfState::PressureCorrection {
-            add(format!("equation_of_state {state:?} for the second fluid alone"), &|s| {
-                s.model.viscosity = Viscosity::Artificial;
-                second_fluid(s);
-                s.other_fluids[0].equation_of_state = Some(state);
-            });
-        }
+        add(format!("equation_of_state {state:?} for the second fluid alone"), &|s| {
+            s.model.viscosity = Viscosity::Artificial;
+            second_fluid(s);
+            s.other_fluids[0].equation_of_state = Some(state);
+        });
     }
+    add("pressure_solver PressureCorrection for two fluids".into(), &|s| {
+        s.model.pressure_solver = PressureSolver::PressureCorrection;
+        s.model.pressure_force = PressureForce::MonaghanAdapted;
+        second_fluid(s);
+    });
     add("two fluids with everything that mixes them".into(), &|s| {
         second_fluid(s);
         s.model.thermal_energy = true;
@@ -271,7 +274,7 @@ fn choices(base: &Scene) -> Vec<(String, Scene)> {
         add(format!("{name} of one of two fluids, across a periodic side"), &|s| {
             second_fluid(s);
             walls(s);
-            s.model.equation_of_state = EquationOfState::PressureCorrection;
+            s.model.pressure_solver = PressureSolver::PressureCorrection;
             s.model.pressure_force = PressureForce::Monaghan;
             s.other_fluids[0].elastic_stiffness = 500.0;
             s.elasticity = Elasticity { reach: 1.8, plasticity, break_at, ..Elasticity::default() };
@@ -319,7 +322,7 @@ fn choices(base: &Scene) -> Vec<(String, Scene)> {
         s.model = ModelChoice {
             density: DensityForm::Continuity,
             hydrostatic_start: true,
-            equation_of_state: EquationOfState::PressureCorrection,
+            pressure_solver: PressureSolver::PressureCorrection,
             pressure_force: PressureForce::Monaghan,
             near_pressure: NearPressure::Article,
             viscosity: Viscosity::Artificial,

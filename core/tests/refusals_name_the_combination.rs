@@ -5,7 +5,7 @@
 use millpond_core::scene::{
     Adaptive, Air, Block, Correction, DensityForm, Dimension, EquationOfState, Evaluation, Face, FieldLattice, Fluid,
     GridStructure, Integrator, Iteration, Kernel, ModelChoice, NearPressure, Periodic, Plasticity, PressureForce,
-    Scene, SupportRange, SurfaceTension, Viscosity, Wall, WallShape,
+    PressureSolver, Scene, SupportRange, SurfaceTension, Viscosity, Wall, WallShape,
 };
 use millpond_core::{Axis, Quantity, SceneError, Solver, StepError};
 
@@ -60,11 +60,11 @@ fn formulas_by_name() {
         |s| s.model.pressure_force = PressureForce::NumberDensity,
     );
     refused(
-        "model.equation_of_state PressureCorrection does not go with a canonical model.pressure_force, \
+        "model.pressure_solver PressureCorrection does not go with a canonical model.pressure_force, \
          one of Mueller's or one on S4's number density: its iteration takes the whole gradient (S0 \
          section 3.2.2)",
         |s| {
-            s.model.equation_of_state = EquationOfState::PressureCorrection;
+            s.model.pressure_solver = PressureSolver::PressureCorrection;
         },
     );
     refused(
@@ -158,10 +158,11 @@ fn properties_of_fluids_by_name() {
         },
     );
     refused(
-        "fluid.equation_of_state does not go with model.equation_of_state, of which one is \
-         PressureCorrection: pressure is iterated for all fluids or for none",
+        "fluid.equation_of_state does not go with model.pressure_solver PressureCorrection: pressure is \
+         iterated for all fluids, so that nothing would use it",
         |s| {
-            s.fluid.equation_of_state = Some(EquationOfState::PressureCorrection);
+            s.fluid.equation_of_state = Some(EquationOfState::Tait);
+            s.model.pressure_solver = PressureSolver::PressureCorrection;
             s.model.pressure_force = PressureForce::Monaghan;
         },
     );
@@ -226,13 +227,13 @@ fn integrators_by_name() {
         }
         let corrected = |s: &mut Scene| {
             (s.model.integrator, s.model.pressure_force) = (integrator, PressureForce::Monaghan);
-            s.model.equation_of_state = EquationOfState::PressureCorrection;
+            s.model.pressure_solver = PressureSolver::PressureCorrection;
         };
         if matches!(integrator, ModifiedVelocityVerlet | SemiImplicitEuler) {
             assert_eq!(scene(corrected), Ok(()));
         } else {
             refused(
-                "model.equation_of_state PressureCorrection does not go with a model.integrator other than \
+                "model.pressure_solver PressureCorrection does not go with a model.integrator other than \
          ModifiedVelocityVerlet or SemiImplicitEuler: pressure is iterated for the velocity that these \
          drift with",
                 corrected,
@@ -240,11 +241,11 @@ fn integrators_by_name() {
         }
     }
     refused(
-        "model.reevaluate does not go with model.equation_of_state PressureCorrection: the pressure was \
+        "model.reevaluate does not go with model.pressure_solver PressureCorrection: the pressure was \
          iterated for the forces without it",
         |s| {
             (s.model.reevaluate, s.model.pressure_force) = (true, PressureForce::Monaghan);
-            s.model.equation_of_state = EquationOfState::PressureCorrection;
+            s.model.pressure_solver = PressureSolver::PressureCorrection;
         },
     );
     let exchanges: [fn(&mut Scene); 2] =
@@ -278,11 +279,11 @@ fn what_follows_from_a_time_step_by_name() {
         (s.stiffness_for_time_step, s.fluid.stiffness) = (Some(0.2), Some(1000.0));
     });
     refused(
-        "stiffness_for_time_step does not go with model.equation_of_state PressureCorrection: sound that \
+        "stiffness_for_time_step does not go with model.pressure_solver PressureCorrection: sound that \
          is iterated for does not limit the time step",
         |s| {
             (s.stiffness_for_time_step, s.model.pressure_force) = (Some(0.2), PressureForce::Monaghan);
-            s.model.equation_of_state = EquationOfState::PressureCorrection;
+            s.model.pressure_solver = PressureSolver::PressureCorrection;
         },
     );
 }
@@ -313,7 +314,7 @@ fn a_literal_iteration_that_cannot_converge() {
     let literal = |speed_of_sound: f32| {
         scene(|s| {
             s.fluid.speed_of_sound = speed_of_sound;
-            s.model.equation_of_state = EquationOfState::PressureCorrection;
+            s.model.pressure_solver = PressureSolver::PressureCorrection;
             s.model.pressure_force = PressureForce::Monaghan;
             s.model.correction.iteration = Iteration::Literal;
         })

@@ -15,7 +15,7 @@ pub(crate) const DENSITY_LIMIT: f64 = 0.1;
 
 /// Fastest sound of a scene, m/s; none where pressure is iterated, and no sound limits the step.
 pub(crate) fn fastest_sound(scene: &Scene) -> Option<f64> {
-    let iterated = scene.model.equation_of_state == EquationOfState::PressureCorrection;
+    let iterated = scene.corrects_pressure();
     (!iterated).then(|| scene.fluids().map(|fluid| speed_of_sound(scene, fluid)).fold(0.0, f64::max))
 }
 
@@ -96,6 +96,7 @@ pub(crate) fn driven_by(scene: &Scene) -> Option<&'static str> {
 mod tests {
     use super::*;
     use crate::scenes::{Changes, load};
+    use millpond_core::scene::PressureSolver;
 
     fn scene(name: &str) -> Scene {
         load(name, &Changes::default()).expect("it is built in").file.scene
@@ -115,7 +116,7 @@ mod tests {
                 match equation {
                     EquationOfState::Tait => by_state * ((1.0 + e).powi(7) - 1.0),
                     EquationOfState::Desbrun => by_state * e,
-                    _ => by_state * (1.0 + e),
+                    EquationOfState::IdealGas => by_state * (1.0 + e),
                 }
             };
             // d u / d e = P / (rho0 (1 + e)^2)
@@ -134,7 +135,7 @@ mod tests {
         // c^2 = 7 k / rho0
         scene.fluid.stiffness = Some(7e5);
         assert!((fastest_sound(&scene).expect("it has sound") - 70.0).abs() < 1e-3);
-        scene.model.equation_of_state = EquationOfState::PressureCorrection;
+        scene.model.pressure_solver = PressureSolver::PressureCorrection;
         assert_eq!(fastest_sound(&scene), None);
     }
 

@@ -8,7 +8,7 @@ use crate::timing::{Milliseconds, timed};
 use millpond_core::OwnedMemory;
 use millpond_core::layout::Model;
 use millpond_core::scene::Scene;
-use millpond_core::terms::state::PRESSURE_CORRECTION;
+use millpond_core::terms::correction::PRESSURE_CORRECTION;
 use millpond_core::terms::table::TABLE;
 use millpond_core::{Array, Checked, Plan, Requirements, Solver};
 use serde::Serialize;
@@ -150,7 +150,7 @@ const OPTIONAL: &[(&str, Include)] = &[
     ("XSPH", |m| m.xsph = 1),
     ("thermal energy", |m| m.thermal_energy = 1),
     ("variable support", |m| m.variable_support = 1),
-    ("pressure correction", |m| m.equation_of_state = PRESSURE_CORRECTION),
+    ("pressure correction", |m| m.pressure_solver = PRESSURE_CORRECTION),
     ("kernel tables", |m| m.evaluation = TABLE),
     ("normals", |m| m.normals = 1),
     ("elasticity", |m| m.springs = 1),

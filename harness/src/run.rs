@@ -14,7 +14,6 @@ use crate::warnings::{gained, warnings};
 use millpond_core::OwnedMemory;
 use millpond_core::derive::{Material, material_of};
 use millpond_core::layout::f32x4;
-use millpond_core::scene::EquationOfState;
 use millpond_core::{AirReport, Checked, CorrectionReport, TimeReport};
 use std::path::Path;
 
@@ -107,7 +106,7 @@ pub fn run(
     bar.finish_and_clear();
 
     let last = fluid.snapshot()?;
-    let pressure_correction = if scene.model.equation_of_state == EquationOfState::PressureCorrection {
+    let pressure_correction = if scene.corrects_pressure() {
         let CorrectionReport { iterations, total_iterations, residual } = fluid.correction()?;
         let mean_iterations = total_iterations as f64 / done.max(1) as f64;
         Some(PressureCorrection { mean_iterations, last_iterations: iterations, residual })

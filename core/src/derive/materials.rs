@@ -4,7 +4,7 @@ use super::kernel_constants::{near_slope_constant, power};
 use super::lattice_sums::gradient_squares;
 use super::material::{DORMANT, FIRST_BLOCK, FIRST_WALL, NOT_THERE};
 use crate::layout::{MATERIALS, MaterialRows, Materials, f32x4};
-use crate::scene::{DensityForm, EquationOfState, Fluid, Iteration, NearPressure, Scene};
+use crate::scene::{DensityForm, Fluid, Iteration, NearPressure, Scene};
 
 /// Share of a deviation of density that a step of corrected pressure is to mend (our choice).
 pub(super) const CORRECTION_SOURCE: f32 = 0.1;
@@ -83,7 +83,7 @@ fn states(scene: &Scene, fluids: &[FluidConstants], mass: f64, support: f64) -> 
 /// twice what is added.
 fn corrections(scene: &Scene, fluids: &[FluidConstants], support: f64) -> MaterialRows {
     // sums over the lattice are only for who needs them; 1 is a number that nobody uses
-    let corrects = scene.model.equation_of_state == EquationOfState::PressureCorrection;
+    let corrects = scene.corrects_pressure();
     let relaxed = corrects && scene.model.correction.iteration == Iteration::Relaxed;
     let squares = if relaxed { gradient_squares(scene, support) } else { 0.0 };
     rows(scene, fluids, |fluid, constants| {

@@ -1,7 +1,7 @@
 //! What limits a time step: how far things may come in one.
 use super::fluid::FluidConstants;
 use super::scales::Scales;
-use crate::scene::{Adaptive, Block, EquationOfState, Fluid, Scene, Viscosity};
+use crate::scene::{Adaptive, Block, Fluid, Scene, Viscosity};
 
 /// Largest kinematic viscosity of a scene, m2/s: of a pair the mean viscosity, or that of the wall, over the smaller rest density,
 /// since the lighter of two is moved the more. Of the artificial viscosity that of Monaghan 1992, `alpha h c / (2 (d + 2))` with the
@@ -50,7 +50,7 @@ impl StepLimits {
         let support = scales.support_radius;
         let reach = |courant: Option<f32>| courant.map_or(StepLimits::NO_LIMIT, |courant| f64::from(courant) * support);
         // sound that is iterated for limits nothing
-        let iterated = scene.model.equation_of_state == EquationOfState::PressureCorrection;
+        let iterated = scene.corrects_pressure();
         let by_viscosity = adaptive.viscosity.filter(|_| viscosity > 0.0);
         let step =
             by_viscosity.map_or(StepLimits::NO_LIMIT, |courant| f64::from(courant) * support * support / viscosity);

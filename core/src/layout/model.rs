@@ -14,6 +14,8 @@ shared! {
         pub evaluation: u32,
         /// [`terms::density`](crate::terms::density).
         pub density: u32,
+        /// [`terms::correction`](crate::terms::correction): where pressure comes from.
+        pub pressure_solver: u32,
         /// [`terms::state`](crate::terms::state).
         pub equation_of_state: u32,
         /// [`terms::correction`](crate::terms::correction).

@@ -1,7 +1,7 @@
 //! What a plan consists of, in names: the terms of its passes, and what the scene does without.
 use super::Plan;
 use super::passes::Pass;
-use crate::scene::{EquationOfState, Viscosity};
+use crate::scene::{PressureSolver, Viscosity};
 use crate::terms::{density, integrate, tension};
 use heapless::Vec;
 
@@ -131,9 +131,9 @@ impl Plan {
             (m.adaptive == 0, "changing time step", "adaptive is not set"),
             (!m.reads_tables(), "kernel tables", "model.evaluation is Direct"),
             (
-                choice.equation_of_state != EquationOfState::PressureCorrection,
+                choice.pressure_solver != PressureSolver::PressureCorrection,
                 "pressure correction",
-                "model.equation_of_state is an equation",
+                "model.pressure_solver is EquationOfState",
             ),
             (m.layers == 0, "cells along z", "the scene is in 2D: a stencil of 9 cells"),
             (!lists, "cell lists", "grid.structure is the index sort"),

@@ -1,8 +1,8 @@
 //! What follows from the choices of a scene: predicates that arrays, passes and the step's order ask.
 use crate::layout::Model;
+use crate::terms::correction::PRESSURE_CORRECTION;
 use crate::terms::density::is_stepped;
 use crate::terms::integrate::{SEMI_IMPLICIT_EULER, knows_velocity};
-use crate::terms::state::PRESSURE_CORRECTION;
 use crate::terms::table::DIRECT;
 use crate::terms::tension::{CURVATURE, NORMAL_CURVATURE};
 use crate::terms::viscosity::{MUELLER_VISCOSITY, NO_VISCOSITY};
@@ -17,7 +17,7 @@ impl Model {
     /// Is pressure iterated?
     #[must_use]
     pub fn corrects_pressure(&self) -> bool {
-        self.equation_of_state == PRESSURE_CORRECTION
+        self.pressure_solver == PRESSURE_CORRECTION
     }
 
     /// Does a surface pull by its curvature?

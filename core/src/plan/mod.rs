@@ -85,7 +85,7 @@ impl Plan {
         let choice = scene.model;
         let near = if choice.near_pressure == NearPressure::Off { NearPressure::Thesis } else { choice.near_pressure };
         let tensionless = choice.surface_tension == SurfaceTension::Off;
-        let own_equation = |fluid: &Fluid| fluid.equation_of_state.unwrap_or(choice.equation_of_state);
+        let own_equation = |fluid: &Fluid| scene.equation_of(fluid);
         let adapted_density = !matches!(choice.density, DensityForm::Summation | DensityForm::Continuity);
         Plan {
             choice,
@@ -95,6 +95,7 @@ impl Plan {
                 viscosity_kernel: choice.viscosity_kernel as u32,
                 evaluation: choice.evaluation as u32,
                 density: choice.density as u32,
+                pressure_solver: choice.pressure_solver as u32,
                 equation_of_state: own_equation(&scene.fluid) as u32,
                 iteration: choice.correction.iteration as u32,
                 suction: u32::from(choice.suction),

@@ -82,8 +82,19 @@ choice! {
         Desbrun = state::DESBRUN => &["pressure_desbrun"],
         /// A gas at one temperature, `P = c0^2 rho` (S0 eq. 2.13).
         IdealGas = state::IDEAL_GAS => &["pressure_ideal_gas"],
-        /// None: pressure is iterated until the predicted density fits ([`Correction`](super::Correction); S0 3.2.2).
-        PressureCorrection = state::PRESSURE_CORRECTION => &["pressure_correction"],
+    }
+}
+
+choice! {
+    /// Where the pressure of a step comes from.
+    #[derive(Default)]
+    pub enum PressureSolver {
+        /// From the density, by an [`EquationOfState`].
+        #[default]
+        EquationOfState = correction::EQUATION_OF_STATE => &[],
+        /// From an iteration that ends when the predicted density fits ([`Correction`](super::Correction); S0 3.2.2). No equation of
+        /// state is used; where one is asked for, it is the linear one that the speed of sound makes.
+        PressureCorrection = correction::PRESSURE_CORRECTION => &["pressure_correction"],
     }
 }
 

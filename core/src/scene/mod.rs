@@ -15,7 +15,7 @@ mod time;
 pub use air::Air;
 pub use choice::{
     DensityForm, Dimension, EquationOfState, Evaluation, FACES, Face, GridStructure, Integrator, Iteration, Kernel,
-    NearPressure, PressureForce, Reflection, SurfaceTension, Viscosity, WallPressure,
+    NearPressure, PressureForce, PressureSolver, Reflection, SurfaceTension, Viscosity, WallPressure,
 };
 pub use elasticity::{Elasticity, Plasticity};
 pub use fluid::{Block, FLUIDS, Fluid};
@@ -171,7 +171,17 @@ impl Scene {
     /// How the pressure of one of its fluids follows from density.
     #[must_use]
     pub fn equation_of(&self, fluid: &Fluid) -> EquationOfState {
+        if self.corrects_pressure() {
+            // what the iterated pressure stands for is linear in the compression
+            return EquationOfState::Desbrun;
+        }
         fluid.equation_of_state.unwrap_or(self.model.equation_of_state)
+    }
+
+    /// Is pressure iterated?
+    #[must_use]
+    pub fn corrects_pressure(&self) -> bool {
+        self.model.pressure_solver == PressureSolver::PressureCorrection
     }
 
     /// The longest step that there can be, s.

@@ -1,7 +1,7 @@
 //! Which formulas a scene uses.
 use super::choice::{
     DensityForm, EquationOfState, Evaluation, Integrator, Iteration, Kernel, NearPressure, PressureForce,
-    SurfaceTension, Viscosity, WallPressure,
+    PressureSolver, SurfaceTension, Viscosity, WallPressure,
 };
 
 /// Which formula each term uses. The defaults are S0's (section 4.1.2), in their forms for a single fluid.
@@ -27,9 +27,11 @@ pub struct ModelChoice {
     pub hydrostatic_start: bool,
     /// Give particles the mass with which the density sum over the lattice is the rest density.
     pub calibrated_mass: bool,
-    /// Density to pressure.
+    /// Where pressure comes from.
+    pub pressure_solver: PressureSolver,
+    /// Density to pressure, with [`PressureSolver::EquationOfState`].
     pub equation_of_state: EquationOfState,
-    /// How pressure is iterated, with [`EquationOfState::PressureCorrection`].
+    /// How pressure is iterated, with [`PressureSolver::PressureCorrection`].
     pub correction: Correction,
     /// May pressure be negative? Suction holds a free cloud together, and lets particles pair without near pressure.
     pub suction: bool,
@@ -66,6 +68,7 @@ impl Default for ModelChoice {
             density: DensityForm::Summation,
             hydrostatic_start: false,
             calibrated_mass: false,
+            pressure_solver: PressureSolver::EquationOfState,
             equation_of_state: EquationOfState::Tait,
             correction: Correction::default(),
             suction: true,

@@ -5,6 +5,10 @@ use super::state::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters, StepUniform};
 
+/// Pressure follows from density: see [`state`](super::state).
+pub const EQUATION_OF_STATE: u32 = 0;
+/// S0 section 3.2.2.
+pub const PRESSURE_CORRECTION: u32 = 1;
 /// Towards the density that the speed of sound allows.
 pub const RELAXED: u32 = 0;
 /// As printed.

@@ -1,9 +1,9 @@
 //! What one neighbour adds to the force on a particle, and what closes that sum.
+use super::correction::*;
 use super::kernel::*;
 use super::near::*;
 use super::pair::*;
 use super::pressure::*;
-use super::state::*;
 use super::table::*;
 use super::tension::*;
 use super::viscosity::*;
@@ -33,7 +33,7 @@ pub fn push_of_near_pressure<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b:
 /// Both, likewise; a correction of pressure comes later, in passes of its own.
 #[inline(always)]
 pub fn push_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>, q: R, scale: R) -> R {
-    if m.equation_of_state == PRESSURE_CORRECTION {
+    if m.pressure_solver == PRESSURE_CORRECTION {
         return push_of_near_pressure(m, p, a, b, q, scale);
     }
     let push = push_of_pressure(m, p, t, a, b, q, scale);

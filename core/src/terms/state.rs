@@ -8,8 +8,6 @@ pub const TAIT: u32 = 0;
 pub const DESBRUN: u32 = 1;
 /// S0 eq. 2.13.
 pub const IDEAL_GAS: u32 = 2;
-/// S0 section 3.2.2: see [`correction`](super::correction).
-pub const PRESSURE_CORRECTION: u32 = 3;
 
 /// `P = B ((1 + e)^7 - 1)`, Pa, multiplied out so that no digits of a small e are lost. `B = rho0 c0^2 / 7` (S3's corrected
 /// constant), or S1's k.

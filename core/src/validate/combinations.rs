@@ -159,7 +159,7 @@ fn correction(scene: &Scene) -> Result<(), SceneError> {
         let (value, most) = (iterations as f32, Correction::MOST as f32);
         return Err(SceneError::OutOfBounds { field: "model.correction.iterations", value, least: 1.0, most });
     }
-    if scene.model.equation_of_state != EquationOfState::PressureCorrection {
+    if !scene.corrects_pressure() {
         return Ok(());
     }
     let iterated = [
@@ -170,7 +170,7 @@ fn correction(scene: &Scene) -> Result<(), SceneError> {
     ];
     if !iterated.contains(&scene.model.pressure_force) {
         return Err(not_together(
-            "model.equation_of_state PressureCorrection",
+            "model.pressure_solver PressureCorrection",
             "a canonical model.pressure_force, one of Mueller's or one on S4's number density",
             "its iteration takes the whole gradient (S0 section 3.2.2)",
         ));
@@ -185,13 +185,11 @@ fn correction(scene: &Scene) -> Result<(), SceneError> {
 
 fn fluids(scene: &Scene) -> Result<(), SceneError> {
     let model = &scene.model;
-    let corrects = |equation: EquationOfState| equation == EquationOfState::PressureCorrection;
-    let parted = |fluid: &Fluid| corrects(scene.equation_of(fluid)) != corrects(model.equation_of_state);
-    if scene.fluids().any(parted) {
+    if scene.corrects_pressure() && scene.fluids().any(|fluid| fluid.equation_of_state.is_some()) {
         return Err(not_together(
             "fluid.equation_of_state",
-            "model.equation_of_state, of which one is PressureCorrection",
-            "pressure is iterated for all fluids or for none",
+            "model.pressure_solver PressureCorrection",
+            "pressure is iterated for all fluids, so that nothing would use it",
         ));
     }
     let first = &scene.fluid;

@@ -5,7 +5,7 @@ use crate::derive::counts::field_counts;
 use crate::derive::lattice_sums::MOST_SPACINGS;
 use crate::derive::scales::{Scales, average_neighbours};
 use crate::error::{Axis, SceneError};
-use crate::scene::{EquationOfState, Fluid, Scene};
+use crate::scene::{Fluid, Scene};
 
 /// Most nodes of a host's field: 64 MiB.
 const MOST_NODES: u32 = 1 << 22;
@@ -31,7 +31,7 @@ pub(super) fn numbers(scene: &Scene) -> Result<(), SceneError> {
 
 /// Refuses supports that reach too far for sums over the lattice, where the scene needs them.
 pub(super) fn reach(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
-    let sums = scene.model.calibrated_mass || scene.model.equation_of_state == EquationOfState::PressureCorrection;
+    let sums = scene.model.calibrated_mass || scene.corrects_pressure();
     let elastic = scene.fluids().any(|fluid| fluid.elastic_stiffness > 0.0);
     if (sums || elastic || !scene.walls.is_empty()) && scales.spacings(scene) > MOST_SPACINGS {
         return Err(SceneError::OutOfScale { field: "average_neighbours", value: average_neighbours(scene) });

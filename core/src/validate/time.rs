@@ -1,7 +1,7 @@
 //! How time may be stepped: bounds of an adaptive step, and what goes with which integrator.
 use super::bounds::{finite, not_together, positive};
 use crate::error::SceneError;
-use crate::scene::{Adaptive, EquationOfState, Integrator, Scene, Viscosity};
+use crate::scene::{Adaptive, Integrator, Scene, Viscosity};
 
 /// The bounds of an adaptive step.
 pub(super) fn step_lengths(scene: &Scene) -> Result<(), SceneError> {
@@ -38,7 +38,7 @@ pub(super) fn step_lengths(scene: &Scene) -> Result<(), SceneError> {
 pub(super) fn integrator(scene: &Scene) -> Result<(), SceneError> {
     let model = &scene.model;
     let changes = model.integrator.allows_changing_steps();
-    let corrects = model.equation_of_state == EquationOfState::PressureCorrection;
+    let corrects = scene.corrects_pressure();
     if let Some(Adaptive { speed, acceleration, sound, viscosity, .. }) = scene.adaptive {
         if !changes {
             return Err(not_together(
@@ -68,7 +68,7 @@ pub(super) fn integrator(scene: &Scene) -> Result<(), SceneError> {
     let drifts = matches!(model.integrator, Integrator::ModifiedVelocityVerlet | Integrator::SemiImplicitEuler);
     if corrects && !drifts {
         return Err(not_together(
-            "model.equation_of_state PressureCorrection",
+            "model.pressure_solver PressureCorrection",
             "a model.integrator other than ModifiedVelocityVerlet or SemiImplicitEuler",
             "pressure is iterated for the velocity that these drift with",
         ));
@@ -91,7 +91,7 @@ pub(super) fn integrator(scene: &Scene) -> Result<(), SceneError> {
         if corrects {
             return Err(not_together(
                 "model.reevaluate",
-                "model.equation_of_state PressureCorrection",
+                "model.pressure_solver PressureCorrection",
                 "the pressure was iterated for the forces without it",
             ));
         }
@@ -113,10 +113,10 @@ fn stiffness(scene: &Scene) -> Result<(), SceneError> {
     if scene.fluids().any(|fluid| fluid.stiffness.is_some()) {
         return Err(not_together("stiffness_for_time_step", "fluid.stiffness", "it already says how stiff"));
     }
-    if scene.model.equation_of_state == EquationOfState::PressureCorrection {
+    if scene.corrects_pressure() {
         return Err(not_together(
             "stiffness_for_time_step",
-            "model.equation_of_state PressureCorrection",
+            "model.pressure_solver PressureCorrection",
             "sound that is iterated for does not limit the time step",
         ));
     }

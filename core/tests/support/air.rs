@@ -1,6 +1,6 @@
 //! Drops with a coat of air; for CPU and device alike.
 use millpond_core::scene::{
-    Air, Block, Container, Dimension, EquationOfState, Face, Fluid, Grid, ModelChoice, Periodic, Scene, SupportRange,
+    Air, Block, Container, Dimension, Face, Fluid, Grid, ModelChoice, Periodic, PressureSolver, Scene, SupportRange,
     SurfaceTension, Wall, WallShape,
 };
 
@@ -78,7 +78,7 @@ pub fn scenes(base: &Scene) -> Vec<(&'static str, Scene)> {
         (
             "corrected pressure",
             changed(&|s| {
-                s.model.equation_of_state = EquationOfState::PressureCorrection;
+                s.model.pressure_solver = PressureSolver::PressureCorrection;
                 s.model.variable_support = Some(SupportRange { smallest: 0.8, largest: 1.2 });
                 s.model.suction = false;
             }),

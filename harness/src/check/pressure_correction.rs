@@ -6,7 +6,7 @@ use super::{Context, Figure, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
-use millpond_core::scene::{Correction, EquationOfState, Kernel, PressureForce, Wind};
+use millpond_core::scene::{Correction, Kernel, PressureForce, PressureSolver, Wind};
 
 const NAME: &str = "pressure-correction";
 
@@ -53,7 +53,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     };
     let mut scene = column.scene();
     scene.fluid.dynamic_viscosity = VISCOSITY;
-    scene.model.equation_of_state = EquationOfState::PressureCorrection;
+    scene.model.pressure_solver = PressureSolver::PressureCorrection;
     scene.model.pressure_force = PressureForce::Monaghan;
     scene.model.hydrostatic_start = true;
     scene.wind = Some(Wind { velocity: [0.0; 3], drag: DRAG });

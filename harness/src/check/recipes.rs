@@ -1,7 +1,7 @@
 //! The formulas of the studies, every field spelled out: a study measures these, whatever the defaults become.
 use millpond_core::scene::{
     Correction, DensityForm, EquationOfState, Evaluation, Integrator, Iteration, Kernel, ModelChoice, NearPressure,
-    PressureForce, SurfaceTension, Viscosity, WallPressure,
+    PressureForce, PressureSolver, SurfaceTension, Viscosity, WallPressure,
 };
 
 /// The choices of the thesis for a single fluid.
@@ -15,6 +15,7 @@ pub(super) const THESIS: ModelChoice = ModelChoice {
     density: DensityForm::Summation,
     hydrostatic_start: false,
     calibrated_mass: false,
+    pressure_solver: PressureSolver::EquationOfState,
     equation_of_state: EquationOfState::Tait,
     correction: Correction { iteration: Iteration::Relaxed, iterations: 20, tolerance: 0.001 },
     suction: true,

@@ -1,7 +1,8 @@
 //! What `tests/bare` steps, and `tests/core_stands_alone.rs` beside it.
 use millpond_core::scene::{
     Block, Container, Correction, DensityForm, Dimension, EquationOfState, Evaluation, Fluid, Grid, Integrator,
-    Iteration, Kernel, ModelChoice, NearPressure, PressureForce, Scene, SurfaceTension, Viscosity, WallPressure,
+    Iteration, Kernel, ModelChoice, NearPressure, PressureForce, PressureSolver, Scene, SurfaceTension, Viscosity,
+    WallPressure,
 };
 
 /// A thousand particles in the corner of a box.
@@ -20,6 +21,7 @@ pub fn scene() -> Scene {
         density: DensityForm::Summation,
         hydrostatic_start: false,
         calibrated_mass: false,
+        pressure_solver: PressureSolver::EquationOfState,
         equation_of_state: EquationOfState::Tait,
         correction: Correction { iteration: Iteration::Relaxed, iterations: 20, tolerance: 0.001 },
         suction: true,

@@ -56,7 +56,7 @@ fn pass_body(a: u32) {
     deviation = deviation_of_sum(sum, x_a.w, own_kind.z);
   }
   var pressure = 0.0f;
-  if m.equation_of_state == PRESSURE_CORRECTION {
+  if m.pressure_solver == PRESSURE_CORRECTION {
     pressure = pressure_carried(previous_density_pressure[a].y);
   } else {
     pressure = pressure_of_state(deviation, k.state, materials.states[kind_index(v_a.w)].w);
