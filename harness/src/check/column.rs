@@ -90,6 +90,13 @@ impl Column {
         (f64::from(self.gravity) * f64::from(self.depth)).sqrt()
     }
 
+    /// By how much the weight lowers the mean height, `g H^2 / (3 c^2)`: a layer at y sinks by the integral of
+    /// `g (H - y) / c^2` up to there, m.
+    pub(super) fn compression(&self) -> f64 {
+        let [gravity, depth, sound] = [self.gravity, self.depth, self.speed_of_sound].map(f64::from);
+        gravity * depth.powi(2) / (3.0 * sound.powi(2))
+    }
+
     /// Pressure at the floor, Pa.
     pub(super) fn floor_pressure(&self) -> f64 {
         f64::from(REST_DENSITY) * f64::from(self.gravity) * f64::from(self.depth)

@@ -32,6 +32,10 @@ const LIMIT: f64 = 0.01;
 /// of it.
 const QUICK_LIMIT_SQUARED: f64 = LIMIT * LIMIT * (QUICK_SPACING / SPACING) as f64;
 
+/// By how much the water may sink or rise, over what its weight compresses it by. A pressure that does not answer to the weight
+/// as it must is off by about as much of itself.
+const SINKING: f64 = 0.05;
+
 /// The first one has limits; a quick study has no other.
 const FORMS: [DensityForm; 2] = [DensityForm::Continuity, DensityForm::Summation];
 
@@ -58,6 +62,8 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
             Ok(Rest { speed, lost, sunk }) => {
                 if i == 0 {
                     figures.push(Figure::below("rms speed over sqrt(g H)", speed, limit));
+                    let moved = sunk * f64::from(column.spacing) / column.compression();
+                    figures.push(Figure::below("mean height moved, over its compression", moved.abs(), SINKING));
                     figures.push(Figure::below("particles lost", lost as f64, 0.0));
                 }
                 let speed = format!("{:.3} %", speed * 100.0);
