@@ -25,6 +25,7 @@ extern crate alloc;
 extern crate std;
 
 pub mod arithmetic;
+mod axis;
 mod changes;
 mod clock;
 pub mod derive;
@@ -52,8 +53,9 @@ pub mod validate;
 pub use heapless;
 
 pub use arithmetic::level::Simd;
+pub use axis::Axis;
 pub use clock::{SteadyTime, TimeReport};
-pub use error::{Axis, RestoreError, SceneError, StepError};
+pub use error::{RestoreError, SceneError, StepError};
 pub use executor::{Executor, Serial};
 #[cfg(feature = "alloc")]
 pub use memory::OwnedMemory;

@@ -1,10 +1,11 @@
 //! What a number of a scene can be, one by one: finite, positive, within its bounds.
 use super::bounds::{MOST_PARTICLES, finite, known_fluid, not_negative, positive, share};
 use super::time::step_lengths;
+use crate::axis::Axis;
 use crate::derive::counts::field_counts;
 use crate::derive::lattice_sums::MOST_SPACINGS;
 use crate::derive::scales::{Scales, average_neighbours};
-use crate::error::{Axis, SceneError};
+use crate::error::SceneError;
 use crate::scene::{Fluid, Scene};
 
 /// Most nodes of a host's field: 64 MiB.

@@ -1,8 +1,9 @@
 //! Where things may be: blocks, walls, the container, the periodic domain, and the cells that cover them.
 use super::bounds::{MOST_PARTICLES, check_count, finite, known_fluid, not_negative, positive, share};
+use crate::axis::Axis;
 use crate::derive::counts::Counts;
 use crate::derive::sampling::lattice::{counts, whole};
-use crate::error::{Axis, SceneError};
+use crate::error::SceneError;
 use crate::scene::{Container, Dimension, Face, GridStructure, Scene, Wall, WallShape};
 
 /// How far from the origin a block may start, in particle spacings: there f32 still tells 128 places apart between a particle and

@@ -1,5 +1,6 @@
 //! What becomes of a step: it counts, or it failed and says why.
-use crate::error::{Axis, StepError};
+use crate::axis::Axis;
+use crate::error::StepError;
 use crate::layout::{MOST_ATTEMPTS, NONE, QUANTITIES_OF_ID, Status};
 use crate::passes::context::Step;
 use crate::plan::arrays::Quantity;

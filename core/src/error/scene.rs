@@ -1,42 +1,8 @@
-//! Every way in which millpond can refuse: what, which, where, how much. Whatever refuses leaves the state as it was.
+//! Why a scene cannot run.
+use super::StepError;
+use crate::axis::Axis;
 use crate::plan::arrays::Quantity;
 use core::fmt;
-
-/// A direction of space.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Axis {
-    /// Along x.
-    X,
-    /// Along y.
-    Y,
-    /// Along z.
-    Z,
-}
-
-impl Axis {
-    /// All of them, in order.
-    pub const ALL: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
-
-    /// The axis of a number: 0 is x, 1 is y, and all others are z.
-    #[must_use]
-    pub fn of(number: usize) -> Axis {
-        match number {
-            0 => Axis::X,
-            1 => Axis::Y,
-            _ => Axis::Z,
-        }
-    }
-}
-
-impl fmt::Display for Axis {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Axis::X => "x",
-            Axis::Y => "y",
-            Axis::Z => "z",
-        })
-    }
-}
 
 /// A scene that cannot run.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -260,48 +226,6 @@ pub enum SceneError {
     FirstStep(StepError),
 }
 
-/// A step that could not be made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum StepError {
-    /// A particle went beyond 2^22 cells from the origin, where `f32` no longer tells cells apart.
-    OutOfRange {
-        /// Its id.
-        particle: u32,
-        /// The axis.
-        axis: Axis,
-        /// The step that was tried, counted from 1.
-        step: u64,
-    },
-    /// More particles came into a cell than it has places. Give `grid.structure` more, or a larger time step less.
-    CellFull {
-        /// Index of the cell.
-        cell: u32,
-        /// Particles that wanted in.
-        count: u32,
-        /// Places it has.
-        capacity: u32,
-        /// The step that was tried, counted from 1.
-        step: u64,
-    },
-    /// A step was undone and made again, shorter, so often that there seems to be no step that is short enough.
-    NoTimeStep {
-        /// How often.
-        attempts: u32,
-        /// The step that was tried, counted from 1.
-        step: u64,
-    },
-    /// A quantity became NaN or infinite; most often the time step is too large.
-    NotFinite {
-        /// Its id.
-        particle: u32,
-        /// What is not finite.
-        quantity: Quantity,
-        /// The step that was tried, counted from 1.
-        step: u64,
-    },
-}
-
 impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
@@ -385,91 +309,7 @@ impl fmt::Display for SceneError {
     }
 }
 
-impl fmt::Display for StepError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            StepError::OutOfRange { particle, axis, step } => {
-                write!(f, "step {step}: particle {particle} went beyond the grid's range along {axis}")
-            }
-            StepError::CellFull { cell, count, capacity, step } => {
-                write!(f, "step {step}: cell {cell} has {count} particles and {capacity} places")
-            }
-            StepError::NoTimeStep { attempts, step } => {
-                write!(
-                    f,
-                    "step {step} was made {attempts} times, each shorter than the one before, and is still too long: "
-                )?;
-                write!(f, "increase adaptive.redo_above or adaptive.smallest")
-            }
-            StepError::NotFinite { particle, quantity, step } => {
-                write!(f, "step {step}: {quantity:?} of particle {particle} is not finite any more")
-            }
-        }
-    }
-}
-
-/// Bytes that a fluid cannot go on from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum RestoreError {
-    /// Bytes that no fluid was saved to.
-    NotSaved,
-    /// Bytes of another version.
-    WrongVersion {
-        /// Their version.
-        given: u32,
-        /// The one that this library reads and writes.
-        known: u32,
-    },
-    /// Bytes of a fluid of another scene, another plan of it, or another number of particles.
-    AnotherScene,
-    /// Bytes of another length than those of this scene.
-    WrongLength {
-        /// Bytes given.
-        given: usize,
-        /// Bytes expected.
-        expected: usize,
-    },
-    /// Values that were changed between steps and that no scene can have.
-    Scene(SceneError),
-}
-
-impl fmt::Display for RestoreError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            RestoreError::NotSaved => write!(f, "the bytes do not begin as those of a saved fluid do"),
-            RestoreError::WrongVersion { given, known } => {
-                write!(f, "the bytes are of version {given}, and this library reads version {known}")
-            }
-            RestoreError::AnotherScene => {
-                write!(f, "the bytes are of another scene: create the solver from the scene that was saved")
-            }
-            RestoreError::WrongLength { given, expected } => {
-                write!(f, "a fluid of this scene is {expected} bytes long, and {given} were given")
-            }
-            RestoreError::Scene(error) => write!(f, "the saved values do not make a scene: {error}"),
-        }
-    }
-}
-
-impl core::error::Error for RestoreError {}
-
-impl StepError {
-    /// The same error of step number `now`.
-    #[must_use]
-    pub fn at_step(mut self, now: u64) -> StepError {
-        match &mut self {
-            StepError::OutOfRange { step, .. }
-            | StepError::CellFull { step, .. }
-            | StepError::NoTimeStep { step, .. }
-            | StepError::NotFinite { step, .. } => *step = now,
-        }
-        self
-    }
-}
-
 impl core::error::Error for SceneError {}
-impl core::error::Error for StepError {}
 
 impl From<StepError> for SceneError {
     fn from(error: StepError) -> Self {

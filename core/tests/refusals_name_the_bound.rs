@@ -1,0 +1,74 @@
+//! Promise: a number out of its bounds is refused by the name of its field, with its value and the bound; one within them is not.
+use millpond_core::scene::{
+    Block, Correction, Dimension, Face, FieldLattice, Fluid, Periodic, Plasticity, Scene, SupportRange, Wall, WallShape,
+};
+use millpond_core::{Axis, SceneError, Solver};
+
+#[path = "support/judged.rs"]
+mod judged;
+use judged::judged as scene;
+
+#[test]
+fn numbers_out_of_bounds() {
+    for (smallest, largest, field) in [(0.4, 1.1, "smallest"), (0.9, 2.5, "largest"), (f32::NAN, 1.1, "smallest")] {
+        let result = scene(|s| s.model.variable_support = Some(SupportRange { smallest, largest }));
+        assert!(matches!(result, Err(SceneError::OutOfBounds { field: f, .. }) if f.ends_with(field)), "{result:?}");
+    }
+    for iterations in [0, Correction::MOST + 1] {
+        let result = scene(|s| s.model.correction.iterations = iterations);
+        let (field, value) = ("model.correction.iterations", iterations as f32);
+        assert_eq!(result, Err(SceneError::OutOfBounds { field, value, least: 1.0, most: 200.0 }));
+    }
+    let result = scene(|s| s.fluid.elastic_stiffness = 1e38);
+    assert_eq!(result, Err(SceneError::OutOfScale { field: "fluid.elastic_stiffness", value: 1e38 }));
+    let result = scene(|s| s.blocks[0].fluid = 1);
+    assert_eq!(result, Err(SceneError::NoSuchFluid { field: "blocks.fluid", fluid: 1, fluids: 1 }));
+    let result = scene(|s| {
+        let _ = s.other_fluids.push(Fluid { rest_density: -1.0, ..Fluid::default() });
+    });
+    assert_eq!(result, Err(SceneError::NotPositive { field: "other_fluids.rest_density", value: -1.0 }));
+    let plasticity = Some(Plasticity { rate: 2000.0, yield_strain: 0.1 });
+    let result = scene(|s| (s.fluid.elastic_stiffness, s.elasticity.plasticity) = (10.0, plasticity));
+    assert!(matches!(result, Err(SceneError::OutOfBounds { field: "elasticity.plasticity.rate", .. })), "{result:?}");
+    let result = scene(|s| s.field = Some(FieldLattice { low: [0.0; 3], spacing: 0.1, counts: [4, 1, 4] }));
+    assert_eq!(result, Err(SceneError::TooFewNodes { axis: Axis::Y, nodes: 1 }));
+    let axes = [false, true, false];
+    let result = scene(|s| s.periodic = Some(Periodic { low: [0.0; 3], high: [1.0, 0.0, 1.0], axes }));
+    assert_eq!(result, Err(SceneError::EmptyDomain { axis: Axis::Y, low: 0.0, high: 0.0 }));
+    let result = scene(|s| {
+        s.blocks[0].size[1] = 0.2;
+        s.periodic = Some(Periodic { low: [0.0; 3], high: [1.0, 0.2, 1.0], axes });
+    });
+    assert_eq!(result, Err(SceneError::TooFewCells { axis: Axis::Y, cells: 2 }));
+    let result = scene(|s| {
+        (s.blocks[0].size[1], s.average_neighbours) = (0.5, 8.0);
+        s.periodic = Some(Periodic { low: [0.0; 3], high: [0.0, 0.4, 0.0], axes });
+    });
+    let by = 0.5f32 - 0.4;
+    assert_eq!(result, Err(SceneError::LapsItself { what: "blocks", index: 0, axis: Axis::Y, by }));
+    let plane = |face, high: [f32; 3]| Wall::still(WallShape::Plane { face, low: [0.0; 3], high });
+    let result = scene(|s| s.walls = [plane(Face::Floor, [1.0, 0.5, 1.0])].into_iter().collect());
+    assert_eq!(result, Err(SceneError::WallExtent { wall: 0, axis: Axis::Y, size: 0.5 }));
+    let result = scene(|s| s.walls = [plane(Face::Floor, [1e30, 0.0, 1.0])].into_iter().collect());
+    assert!(matches!(result, Err(SceneError::WallExtent { wall: 0, axis: Axis::X, .. })), "{result:?}");
+    let advancing = Wall { velocity: [1.0, -2.0, 0.0], ..plane(Face::Floor, [1.0, 0.0, 1.0]) };
+    let result = scene(|s| s.walls = [advancing].into_iter().collect());
+    assert_eq!(result, Err(SceneError::WallAdvances { wall: 0, axis: Axis::Y, velocity: -2.0 }));
+    assert_eq!(scene(|s| s.walls = [plane(Face::Floor, [1.0, 0.0, 1.0])].into_iter().collect()), Ok(()));
+}
+
+#[test]
+fn springs_that_do_not_fit() {
+    let block = Block { size: [0.2, 0.1, 0.0], ..Block::default() };
+    let jelly = Fluid { elastic_stiffness: 10.0, ..Fluid::default() };
+    let mut scene = Scene::of(Dimension::Two, 0.05, 0.001, jelly, block);
+    let solver = |scene: &Scene| {
+        let mut heap = millpond_core::OwnedMemory::of(&scene.check()?);
+        Solver::new(scene, heap.lend()).map(|solver| solver.springs().count())
+    };
+    // 4 x 2 particles: 4 + 6 along the sides of the squares, 6 across them
+    assert_eq!(solver(&scene), Ok(16));
+    scene.elasticity.capacity = Some(15);
+    let refused = SceneError::CapacityExceeded { what: "springs (elasticity.capacity)", needed: 16, capacity: 15 };
+    assert_eq!(solver(&scene), Err(refused));
+}

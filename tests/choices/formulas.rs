@@ -1,0 +1,123 @@
+//! Kernels, densities, pressures, viscosities and tensions of one model.
+use super::Add;
+use super::scenes::{pulled, second_fluid, walls};
+use millpond_core::scene::{
+    Correction, DensityForm, EquationOfState, Evaluation, Iteration, Kernel, ModelChoice, NearPressure, PressureForce,
+    PressureSolver, SupportRange, SurfaceTension, Viscosity, WallPressure,
+};
+
+pub fn kernels_and_pressure(add: Add<'_>) {
+    for &kernel in Kernel::ALL {
+        if kernel.has_value() {
+            add(format!("density_kernel {kernel:?}"), &|s| s.model.density_kernel = kernel);
+        }
+        add(format!("pressure_kernel {kernel:?}"), &|s| s.model.pressure_kernel = kernel);
+        for viscosity in [Viscosity::Mueller, Viscosity::Morris] {
+            add(format!("viscosity_kernel {kernel:?} {viscosity:?}"), &|s| {
+                (s.model.viscosity_kernel, s.model.viscosity) = (kernel, viscosity);
+            });
+        }
+    }
+    for evaluation in [Evaluation::Table, Evaluation::SquaredTable] {
+        add(format!("evaluation {evaluation:?}"), &|s| s.model.evaluation = evaluation);
+    }
+    for &density in DensityForm::ALL {
+        add(format!("density {density:?}"), &|s| s.model.density = density);
+        add(format!("density {density:?}, calibrated"), &|s| {
+            (s.model.density, s.model.calibrated_mass) = (density, true);
+        });
+    }
+    for &force in PressureForce::ALL {
+        for &density in DensityForm::ALL {
+            if force == PressureForce::NumberDensity && density != DensityForm::NumberDensity {
+                continue;
+            }
+            add(format!("{density:?} with {force:?}, one fluid"), &|s| {
+                (s.model.density, s.model.pressure_force) = (density, force);
+            });
+            add(format!("{density:?} with {force:?}, two fluids"), &|s| {
+                (s.model.density, s.model.pressure_force) = (density, force);
+                second_fluid(s);
+            });
+        }
+        add(format!("pressure_force {force:?}, masses that differ"), &|s| {
+            s.model.pressure_force = force;
+            s.model.hydrostatic_start = force != PressureForce::NumberDensity;
+            s.model.density =
+                if s.model.hydrostatic_start { DensityForm::Continuity } else { DensityForm::NumberDensity };
+        });
+    }
+    for &state in EquationOfState::ALL {
+        for suction in [true, false] {
+            add(format!("equation_of_state {state:?}, suction {suction}"), &|s| {
+                (s.model.equation_of_state, s.model.suction) = (state, suction);
+                s.model.pressure_force = PressureForce::Monaghan;
+            });
+        }
+    }
+    add("stiffness".into(), &|s| s.fluid.stiffness = Some(2000.0));
+    for force in [PressureForce::Monaghan, PressureForce::Difference] {
+        for (iteration, tolerance) in
+            [(Iteration::Relaxed, 1e-4), (Iteration::Relaxed, 0.5), (Iteration::Literal, 1e-3)]
+        {
+            add(format!("correction {iteration:?} {force:?} to {tolerance}"), &|s| {
+                s.model.pressure_solver = PressureSolver::PressureCorrection;
+                (s.model.pressure_force, s.model.suction) = (force, false);
+                s.model.correction = Correction { iteration, iterations: 5, tolerance };
+            });
+        }
+    }
+    for &near in NearPressure::ALL {
+        add(format!("near_pressure {near:?}"), &|s| s.model.near_pressure = near);
+    }
+}
+
+pub fn viscosity_and_tension(add: Add<'_>) {
+    for &viscosity in Viscosity::ALL {
+        add(format!("viscosity {viscosity:?}"), &|s| {
+            s.model.viscosity = viscosity;
+            s.model.density = DensityForm::SummationAdapted;
+            s.fluid.velocity_exchange = 0.1;
+        });
+        for &wall in WallPressure::ALL {
+            add(format!("viscosity {viscosity:?}, walls {wall:?}"), &|s| {
+                (s.model.viscosity, s.model.wall_pressure) = (viscosity, wall);
+                s.model.density = DensityForm::NumberDensity;
+                s.fluid.velocity_exchange = 0.1;
+                walls(s);
+            });
+            add(format!("viscosity {viscosity:?}, walls {wall:?}, two fluids"), &|s| {
+                s.model = ModelChoice { viscosity, wall_pressure: wall, ..ModelChoice::multiphase() };
+                s.fluid.velocity_exchange = 0.1;
+                walls(s);
+                second_fluid(s);
+            });
+        }
+        add(format!("heat of {viscosity:?}"), &|s| {
+            (s.model.viscosity, s.model.thermal_energy) = (viscosity, true);
+            s.model.density = DensityForm::SummationAdapted;
+            (s.fluid.velocity_exchange, s.fluid.heat_gain, s.fluid.thermal_energy) = (0.9, 0.7, 1.0);
+        });
+    }
+    for &tension in SurfaceTension::ALL {
+        for &density in DensityForm::ALL {
+            add(format!("surface_tension {tension:?} with {density:?}"), &|s| {
+                (s.model.surface_tension, s.model.density) = (tension, density);
+                pulled(s);
+            });
+        }
+        add(format!("surface_tension {tension:?}, two fluids"), &|s| {
+            s.model = ModelChoice { surface_tension: tension, ..ModelChoice::multiphase() };
+            second_fluid(s);
+            pulled(s);
+        });
+        add(format!("surface_tension {tension:?}, corrected pressure and supports that vary"), &|s| {
+            s.model.surface_tension = tension;
+            s.model.pressure_solver = PressureSolver::PressureCorrection;
+            s.model.pressure_force = PressureForce::MonaghanAdapted;
+            s.model.variable_support = Some(SupportRange { smallest: 0.7, largest: 1.3 });
+            walls(s);
+            pulled(s);
+        });
+    }
+}

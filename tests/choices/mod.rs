@@ -1,0 +1,31 @@
+//! Every choice that a scene can make, one at a time against the defaults; made from the lists of the choices themselves.
+#![allow(unreachable_pub, reason = "a module of a test")]
+mod fluids;
+mod formulas;
+mod plainest;
+mod scenes;
+mod surroundings;
+mod time;
+
+use millpond_core::scene::Scene;
+pub use plainest::plainest;
+pub use scenes::base;
+
+/// Takes a name and what it changes.
+type Add<'a> = &'a mut dyn FnMut(String, &dyn Fn(&mut Scene));
+
+/// Every choice, one at a time.
+pub fn choices(base: &Scene) -> Vec<(String, Scene)> {
+    let mut all = vec![("defaults".to_owned(), base.clone())];
+    let mut add = |what: String, change: &dyn Fn(&mut Scene)| {
+        let mut scene = base.clone();
+        change(&mut scene);
+        all.push((what, scene));
+    };
+    formulas::kernels_and_pressure(&mut add);
+    formulas::viscosity_and_tension(&mut add);
+    time::time(&mut add);
+    fluids::fluids(&mut add);
+    surroundings::surroundings(&mut add);
+    all
+}
