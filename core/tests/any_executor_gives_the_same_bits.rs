@@ -28,7 +28,11 @@ fn scenes() -> Vec<(&'static str, Scene)> {
         "tables-in-cell-lists",
         "corrected-pressure",
         "two-fluids-periodic",
-        "adaptive-quasi-fluid"
+        "adaptive-quasi-fluid",
+        "thesis-forms",
+        "monaghan-in-a-box",
+        "stepped-density-verlet",
+        "beeman-exchange"
     ];
     all.into_iter().map(|(name, text)| (name, ron::from_str(text).expect("a scene in RON"))).collect()
 }

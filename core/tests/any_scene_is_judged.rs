@@ -1,5 +1,6 @@
-//! Promise: any scene, whatever numbers stand in it, is refused by name or accepted at once, and never panics; what was accepted
-//! says how much memory it needs. A call with the wrong number of entries says so.
+//! Promise: any scene, whatever numbers stand in it, is refused in words or accepted, and never panics; what was accepted says
+//! how much memory it needs. A call with the wrong number of entries says so. (That a refusal names the field is for
+//! `tests/extremes_end_well.rs`.)
 use millpond_core::scene::{
     Air, Block, Container, Dimension, Elasticity, FieldLattice, Fluid, Grid, Periodic, Scene, SupportRange, Wall,
     WallShape,

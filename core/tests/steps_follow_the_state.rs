@@ -1,6 +1,6 @@
 //! Promise: an adaptive time step is what its criteria ask for of the state, grows no faster than it may, is made again where
-//! that was asked for and counted where it cannot be short enough; and a device's clock shows the same bits, however many steps
-//! are recorded at once. Integrators start as they go on: with the order that they promise.
+//! that was asked for and counted where it cannot be short enough. Integrators start as they go on: with the order that they
+//! promise. (That a device's clock agrees is for `gpu/tests/clocks_agree.rs`.)
 use approx::assert_relative_eq;
 use millpond_core::OwnedMemory;
 use millpond_core::derive::{speed_of_sound, support_radius};

@@ -1,5 +1,5 @@
-//! Promise: who is at the surface of a fluid, where it points and how it is curved can be asked for each particle, between like
-//! fluids and in nothing; and a scene that does not ask finds none.
+//! Promise: who is at the surface of a fluid, and where it points can be asked for each particle, between like fluids and in
+//! nothing; how it is curved, between like fluids. A scene that does not ask finds none.
 use millpond_core::scene::{Block, Dimension, Fluid, InitialParticle, Kernel, ModelChoice, Scene, SurfaceTension};
 use millpond_core::{Particle, Plan, Solver};
 

@@ -4,6 +4,7 @@ use crate::census::{FirstLast, census};
 use crate::failure::Failure;
 use crate::fluid::start;
 use crate::output::{deliver, progress};
+use crate::plan_view::USUAL_PLACES;
 use crate::pool::Pool;
 use crate::scenes::{Changes, Named, load};
 use crate::snapshot::Snapshot;
@@ -150,10 +151,14 @@ fn bench(named: &Named, options: &Options) -> Result<Bench, Failure> {
             SimdName::Avx2 => Simd::Avx2,
         };
         if options.backend == BackendName::Gpu || simd.or_best() != simd {
-            return Err(Failure::Call(format!("--simd {name:?} is not to be had here").to_lowercase()));
+            return Err(Failure::Call(format!("--simd {name:?} is not available here").to_lowercase()));
         }
         solver = solver.at_level(simd);
     }
+    if options.structures && options.backend == BackendName::Gpu {
+        return Err(Failure::Call("--structures times the CPU alone: leave --backend gpu out".into()));
+    }
+    let simd = solver.simd();
     let bar = progress(&format!("bench {}", named.name), u64::from(options.warm_up) + u64::from(options.steps));
     let timed = match options.backend {
         BackendName::Cpu => time_cpu(&mut solver, &pool, options, &bar)?,
@@ -174,16 +179,13 @@ fn bench(named: &Named, options: &Options) -> Result<Bench, Failure> {
         bytes_per_particle: needs.bytes() as f64 / needs.counts.particles.max(1) as f64,
         average_neighbours: FirstLast { first: first?, last: last? },
         real_time_factor: f64::from(timed.last.clock.time_step) * 1e3 / ms_per_step.min,
-        structures: if options.structures { structures(named, &pool, options.steps)? } else { Vec::new() },
+        structures: if options.structures { structures(named, simd, &pool, options)? } else { Vec::new() },
         scaling: None,
     })
 }
 
-/// Places of a cell for the cell lists of a scene that has none: twice the default neighbours.
-const USUAL_PLACES: u32 = 64;
-
 /// Times the scene with both grid structures, in turn.
-fn structures(named: &Named, pool: &Pool, steps: u32) -> Result<Vec<StructureTime>, Failure> {
+fn structures(named: &Named, simd: Simd, pool: &Pool, options: &Options) -> Result<Vec<StructureTime>, Failure> {
     let lists = match named.file.scene.grid.structure {
         GridStructure::IndexSort => GridStructure::CellLists { places: USUAL_PLACES },
         lists @ GridStructure::CellLists { .. } => lists,
@@ -198,10 +200,15 @@ fn structures(named: &Named, pool: &Pool, steps: u32) -> Result<Vec<StructureTim
     let mut heaps = [OwnedMemory::of(&checked[0]), OwnedMemory::of(&checked[1])];
     let mut solvers = Vec::new();
     for (scene, heap) in checked.iter().zip(&mut heaps) {
-        solvers.push(start(&named.name, scene, heap)?);
+        solvers.push(start(&named.name, scene, heap)?.at_level(simd));
+    }
+    for solver in &mut solvers {
+        for _ in 0..options.warm_up {
+            solver.step(pool)?;
+        }
     }
     let mut times = [Vec::new(), Vec::new()];
-    for _ in 0..steps {
+    for _ in 0..options.steps {
         for (solver, times) in solvers.iter_mut().zip(&mut times) {
             let (result, ms) = timed(|| solver.step(pool));
             result?;

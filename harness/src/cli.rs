@@ -7,7 +7,7 @@ use clap::{Parser, Subcommand};
 
 /// A deterministic, fixed-capacity SPH fluid: run it, compare its backends bit for bit, weigh error against run time.
 ///
-/// Without a command: the showcase, in a few minutes.
+/// Without a command: the showcase, in about a minute.
 #[derive(Debug, Parser)]
 #[command(name = "millpond", version)]
 pub struct Cli {

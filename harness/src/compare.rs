@@ -25,7 +25,7 @@ pub struct Options {
     common: Common,
     #[command(flatten)]
     length: Length,
-    /// Compare with the GPU only, and fail where there is none (default: with every path there is)
+    /// Compare with the other paths of the CPU only, or with the GPU only and fail where there is none (default: with every path)
     #[arg(long)]
     backend: Option<BackendName>,
     /// Also run the GPU in plain mode, which promises no bits

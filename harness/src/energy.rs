@@ -21,6 +21,10 @@ pub(crate) fn fastest_sound(scene: &Scene) -> Option<f64> {
 
 /// Energy stored in a fluid at a deviation e of its density, the integral of `P / rho^2` over the density, J/kg.
 fn stored(scene: &Scene, fluid: &Fluid, constants: &FluidConstants, deviation: f64) -> f64 {
+    // iterated pressure does not follow from density
+    if scene.corrects_pressure() {
+        return 0.0;
+    }
     let e = deviation;
     let by_state = constants.state_stiffness / f64::from(fluid.rest_density);
     // where there is no suction there is no pressure below the rest density
@@ -29,7 +33,6 @@ fn stored(scene: &Scene, fluid: &Fluid, constants: &FluidConstants, deviation: f
         EquationOfState::Tait if !relaxed => by_state * (((1.0 + e).powi(6) - 1.0) / 6.0 + 1.0 / (1.0 + e) - 1.0),
         EquationOfState::Desbrun if !relaxed => by_state * (e.ln_1p() + 1.0 / (1.0 + e) - 1.0),
         EquationOfState::IdealGas => by_state * e.ln_1p(),
-        // iterated pressure does not follow from density
         _ => 0.0,
     };
     // Mueller's form is half of the gradient (S0 eq. 2.19), so it does half of the work
@@ -126,6 +129,10 @@ mod tests {
             let exact = pressure(e) / (1.0 + e).powi(2);
             assert!((slope / exact - 1.0).abs() < 1e-6, "{equation:?}: {slope} against {exact}");
         }
+        scene.model.pressure_solver = PressureSolver::PressureCorrection;
+        scene.model.pressure_force = PressureForce::Monaghan;
+        let checked = scene.check().expect("a scene");
+        assert_eq!(stored(&scene, &scene.fluid, checked.derived().fluid(0), 0.05), 0.0, "pressure that is iterated");
     }
 
     #[test]

@@ -145,7 +145,8 @@ impl<'a> Fluid<'a> {
         match self {
             Fluid::Cpu { solver, pool } => {
                 let threads = millpond_core::Executor::width(*pool);
-                format!("cpu ({:?}, {threads} threads)", solver.simd()).to_lowercase()
+                format!("cpu ({:?}, {threads} thread{})", solver.simd(), if threads == 1 { "" } else { "s" })
+                    .to_lowercase()
             }
             Fluid::Gpu { device, .. } => format!("gpu (strict, {device})"),
         }

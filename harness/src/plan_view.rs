@@ -89,8 +89,8 @@ pub struct PlanTimes {
     pub everything: f64,
 }
 
-/// Places of a cell in the figure of what cell lists would cost: twice the default neighbours.
-const USUAL_PLACES: u32 = 64;
+/// Places of a cell for the cell lists of a scene that has none: twice the default neighbours.
+pub(crate) const USUAL_PLACES: u32 = 64;
 
 /// Runs `plan`.
 ///

@@ -1,4 +1,4 @@
-//! What happens without a command: the whole promise in a few minutes.
+//! What happens without a command: the whole promise in about a minute.
 use crate::arguments::BackendName;
 use crate::compare::{self, Paths, compare};
 use crate::error_study::{self, CASE, QUICK};

@@ -28,9 +28,8 @@ impl Snapshot {
         let by_id = |&array: &Array| {
             let (all, entry) = (words(array), array.words());
             match (array.class(), array.unit()) {
-                (Class::State, Unit::Particle) => {
-                    let entries = slots.iter().filter_map(|&slot| all.get(slot as usize * entry..)?.get(..entry));
-                    entries.flatten().copied().collect()
+                (Class::State, Unit::Particle) if !all.is_empty() => {
+                    slots.iter().flat_map(|&slot| &all[slot as usize * entry..][..entry]).copied().collect()
                 }
                 (Class::State, _) => all.to_vec(),
                 _ => Vec::new(),

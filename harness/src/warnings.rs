@@ -70,7 +70,7 @@ pub fn gained(scene: &Scene, first: &Census, last: &Census) -> Option<String> {
     let share = (last.mechanical - first.mechanical) / first.to_spend;
     (share > GROWTH_LIMIT).then(|| {
         let percent = share * 100.0;
-        format!("the fluid gained energy, {percent:.0} % of what it had to spend: this is no flow, and a smaller time_step may be one")
+        format!("the fluid gained energy, {percent:.0} % of what it had to spend: the run is unstable; try a smaller time_step")
     })
 }
 

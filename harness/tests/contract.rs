@@ -53,6 +53,8 @@ fn documents_have_the_keys_that_others_rely_on() {
     has(&bench, &["scene", "particles", "threads", "simd", "ms_per_step.min", "ms_per_step.median", "passes[].name"]);
     has(&bench, &["passes[].ms", "ns_per_particle_step", "bytes_per_particle", "average_neighbours.first"]);
     has(&bench, &["average_neighbours.last", "real_time_factor"]);
+    let bench = json(&["bench", "thesis-cube", "--particles", "200", "--steps", "3", "--structures", "--json"]);
+    has(&bench, &["structures[].structure", "structures[].ms_per_step.min", "structures[].bytes_per_particle"]);
 
     let plan = json(&["plan", "dam-break", "--steps", "2", "--json"]);
     has(

@@ -123,11 +123,13 @@ pub fn table(comparison: &Comparison) -> String {
             (Some(step), first) => {
                 let (ulp, abs) = (pair.max_ulp, pair.max_abs);
                 format!(
-                    "differs from step {step} on: {}; at most {} ULP, {:.2e} m, {:.2e} m/s",
+                    "differs from step {step} on, in {}: {}; at most {} ULP, {:.2e} m, {:.2e} m/s{}",
+                    pair.differing_arrays.join(", "),
                     first.as_deref().unwrap_or_default(),
                     ulp.position.max(ulp.velocity),
                     abs.position,
-                    abs.velocity
+                    abs.velocity,
+                    pair.failure.as_ref().map_or(String::new(), |failure| format!("; stopped: {failure}"))
                 )
             }
         };
@@ -222,6 +224,15 @@ mod tests {
                 assert!(!held(false, &[step, near.clone()]).kept(), "{none}");
             }
         }
+    }
+
+    #[test]
+    fn what_differed_and_then_stopped_says_both() {
+        let mut comparison = held(true, &[strayed(0, 1e-6, 0.0)]);
+        comparison.pairs[0].stop(2, &Failure::Call("no device any more".into()));
+        let words = table(&comparison);
+        assert!(words.contains("differs from step 1 on, in position:"), "{words}");
+        assert!(words.contains("stopped: no device any more"), "{words}");
     }
 
     #[test]

@@ -3,8 +3,8 @@
 use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
 use millpond_core::scene::{
-    DensityForm, EquationOfState, Evaluation, InitialParticle, Kernel, NearPressure, PressureForce, Scene,
-    SupportRange, SurfaceTension, Viscosity,
+    DensityForm, EquationOfState, Evaluation, InitialParticle, Kernel, NearPressure, PressureForce, PressureSolver,
+    Scene, SupportRange, SurfaceTension, Viscosity,
 };
 
 /// Of those that started in one place, most will have come apart.
@@ -50,6 +50,11 @@ pub fn cases() -> Result<Vec<Case>, Failure> {
         add(&format!("density {density:?}, equation of state {state:?}"), &|s| {
             (s.model.density, s.model.equation_of_state) = (density, state);
             s.model.pressure_force = PressureForce::Monaghan;
+        });
+    }
+    for &solver in PressureSolver::ALL {
+        add(&format!("pressure solver {solver:?}"), &|s| {
+            (s.model.pressure_solver, s.model.pressure_force) = (solver, PressureForce::Monaghan);
         });
     }
     for &viscosity in Viscosity::ALL {

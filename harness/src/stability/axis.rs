@@ -23,9 +23,11 @@ pub(super) type Choice = Vec<(String, String)>;
 enum Way {
     /// A field, as by `--set`.
     Field(&'static str),
+    /// The same, where the scene has a use for it.
+    FieldIf(&'static str, fn(&Scene) -> Result<(), &'static str>),
     /// A number in several fields.
     Number(fn(&mut Scene, f32)),
-    /// The same, where the scene has a use for it.
+    /// A number in several fields, where the scene has a use for it.
     NumberIf(fn(&mut Scene, f32) -> Result<(), &'static str>),
 }
 
@@ -46,7 +48,7 @@ const KNOWN: &[Known] = &[
         name: "equation_of_state",
         title: "equation of state",
         values: equations_of_state,
-        way: Way::Field("model.equation_of_state"),
+        way: Way::FieldIf("model.equation_of_state", has_equation_of_state),
     },
     Known {
         name: "average_neighbours",
@@ -194,6 +196,10 @@ pub(super) fn choose(file: &SceneFile, choice: &Choice) -> Result<SceneFile, Fai
                 file = changed;
             }
             Some(Way::Field(field)) => file = with(&file, field, value).map_err(wrong)?,
+            Some(Way::FieldIf(field, has_use)) => {
+                has_use(&file.scene).map_err(|what| wrong(what.into()))?;
+                file = with(&file, field, value).map_err(wrong)?;
+            }
             Some(Way::Number(put)) => put(&mut file.scene, number().map_err(wrong)?),
             Some(Way::NumberIf(put)) => {
                 put(&mut file.scene, number().map_err(wrong)?).map_err(|what| wrong(what.into()))?;
@@ -201,6 +207,14 @@ pub(super) fn choose(file: &SceneFile, choice: &Choice) -> Result<SceneFile, Fai
         }
     }
     Ok(file)
+}
+
+fn has_equation_of_state(scene: &Scene) -> Result<(), &'static str> {
+    if scene.corrects_pressure() {
+        Err("the scene's pressure is iterated, and follows from no equation")
+    } else {
+        Ok(())
+    }
 }
 
 fn average_neighbours(scene: &mut Scene, value: f32) {
@@ -285,6 +299,7 @@ mod tests {
         assert!(chosen("stiff-tank", &[("viscosity", "1")]).is_err(), "an artificial viscosity takes none");
         assert!(chosen("tower", &[("speed_of_sound", "10")]).is_err(), "its stiffness says how fast sound is");
         assert!(chosen("dam-break", &[("equation_of_state", "Nobody")]).is_err());
+        assert!(chosen("corrected-column", &[("equation_of_state", "Tait")]).is_err(), "its pressure is iterated");
     }
 
     #[test]
