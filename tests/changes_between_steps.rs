@@ -1,10 +1,11 @@
 //! Promise: gravity, wind, the time step, and a fluid's viscosity, tension and stiffness can be changed between steps, on both backends
-//! with the same bits; a change before the first step is the same as a scene created like that; what the plan left out, and what no
+//! with the same bits; a change before the first step is the same as a scene created like that, but for masses of a hydrostatic start and supports
+//! that vary; what the plan left out, and what no
 //! scene can have, is refused by name and changes nothing.
 use millpond::compare::difference;
 use millpond::snapshot::Snapshot;
 use millpond_core::scene::{
-    Adaptive, Block, Container, Dimension, Fluid, Grid, Integrator, Live, Scene, SurfaceTension, Wind,
+    Adaptive, Block, Container, Dimension, FieldLattice, Fluid, Grid, Integrator, Live, Scene, SurfaceTension, Wind,
 };
 use millpond_core::{OwnedMemory, Requirements, SceneError, Serial, Solver};
 use millpond_gpu::{GpuError, GpuSolver, Mode};
@@ -171,6 +172,41 @@ fn what_the_plan_left_out_is_refused_by_name_unless_it_is_live() {
 }
 
 #[test]
+fn a_speed_of_sound_that_follows_cannot_be_set() {
+    let mut follows = scene();
+    follows.stiffness_for_time_step = Some(0.2);
+    let mut heap = memory(&follows);
+    let mut solver = Solver::new(&follows, heap.lend()).expect("a scene");
+    let refused = solver.set_speed_of_sound(0, 30.0).expect_err("it follows from the time step");
+    assert!(refused.to_string().contains("stiffness_for_time_step"), "{refused}");
+    let mut free = scene();
+    (free.model.surface_tension, free.fluid.surface_tension) = (SurfaceTension::Off, 0.0);
+    let mut heap = memory(&free);
+    let mut solver = Solver::new(&free, heap.lend()).expect("a scene");
+    let refused = solver.set_surface_tension(0, 1.0).expect_err("there is no model of it");
+    assert!(refused.to_string().contains("model.surface_tension Off"), "{refused}");
+}
+
+#[test]
+fn a_field_that_is_refused_leaves_the_one_before() {
+    let mut scene = scene();
+    scene.field = Some(FieldLattice { low: [0.0; 3], spacing: 0.3, counts: [4, 4, 1] });
+    scene.gravity = [1e33, 0.0, 0.0];
+    let mut heaps = [memory(&scene), memory(&scene)];
+    let [first, second] = &mut heaps;
+    let mut asked = Solver::new(&scene, first.lend()).expect("a scene");
+    let mut left_alone = Solver::new(&scene, second.lend()).expect("a scene");
+    let good = [[1.0, 2.0, 0.0, 0.0]; 16];
+    asked.set_field(&good).expect("a field");
+    left_alone.set_field(&good).expect("a field");
+    // with a gravity that it is added to, the largest number overflows
+    let refused = asked.set_field(&[[f32::MAX; 4]; 16]);
+    assert!(matches!(refused, Err(SceneError::FirstStep(_))), "{refused:?}");
+    assert_eq!(asked.field(), good);
+    assert_eq!(asked.full_hash(), left_alone.full_hash());
+}
+
+#[test]
 fn what_no_scene_can_have_is_refused_and_changes_nothing() {
     let mut adaptive = scene();
     adaptive.adaptive = Some(Adaptive::default());
@@ -204,7 +240,7 @@ fn what_no_scene_can_have_is_refused_and_changes_nothing() {
 fn a_fresh_device_refuses_what_its_first_accelerations_would_not_know() {
     let Some(gpu) = device("changes_between_steps", Mode::Strict) else { return };
     let mut field = scene();
-    field.field = Some(millpond_core::scene::FieldLattice { low: [0.0; 3], spacing: 0.4, counts: [3, 3, 1] });
+    field.field = Some(FieldLattice { low: [0.0; 3], spacing: 0.4, counts: [3, 3, 1] });
     let mut heap = memory(&field);
     let solver = Solver::new(&field, heap.lend()).expect("a scene");
     let mut fluid = GpuSolver::new(&gpu, &solver).expect("a device that takes it");

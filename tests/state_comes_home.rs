@@ -2,7 +2,7 @@
 //! times; what was changed between steps comes along; bytes of another length, version or scene are refused by name and change nothing.
 use millpond::compare::difference;
 use millpond::snapshot::Snapshot;
-use millpond_core::scene::Scene;
+use millpond_core::scene::{GridStructure, Scene};
 use millpond_core::{OwnedMemory, RestoreError, Serial, Solver};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 
@@ -84,6 +84,38 @@ fn what_was_changed_between_steps_comes_along() {
 }
 
 #[test]
+fn whatever_the_structure_of_the_grid() {
+    let by_index = scene("dam-break-2d");
+    let mut by_lists = by_index.clone();
+    by_lists.grid.structure = GridStructure::CellLists { places: 32 };
+    by_lists.grid.cells = by_lists.grid.cells.map(|cells| cells + 3);
+    let mut bytes = Vec::new();
+    let mut halves = Vec::new();
+    for scene in [&by_index, &by_lists] {
+        let mut heap = memory(scene);
+        let mut solver = Solver::new(scene, heap.lend()).expect("a scene");
+        (0..5).for_each(|_| solver.step(&Serial).expect("a step"));
+        bytes.push(saved(&solver));
+    }
+    assert!(bytes[0] == bytes[1], "where particles are looked up is not saved");
+    for scene in [&by_index, &by_lists] {
+        halves.push(go_on(scene, &bytes[0], None, 5));
+    }
+    assert!(halves[0] == halves[1]);
+}
+
+#[test]
+fn of_a_scene_that_iterates_more_often_they_are_refused() {
+    let scene = scene("corrected-column");
+    let mut patient = scene.clone();
+    patient.model.correction.iterations += 1;
+    let (mut first, mut second) = (memory(&scene), memory(&patient));
+    let solver = Solver::new(&scene, first.lend()).expect("a scene");
+    let mut other = Solver::new(&patient, second.lend()).expect("a scene");
+    assert_eq!(other.restore(&saved(&solver)), Err(RestoreError::AnotherScene));
+}
+
+#[test]
 fn bytes_that_are_not_its_own_are_refused_by_name() {
     let scene = scene("dam-break-2d");
     let mut other_scene = scene.clone();
@@ -95,11 +127,14 @@ fn bytes_that_are_not_its_own_are_refused_by_name() {
     let (own, hash) = (saved(&solver), solver.full_hash());
     let mut newer = own.clone();
     newer[4] += 1;
+    let mut damaged = own.clone();
+    damaged[own.len() / 2] ^= 1;
     let cases = [
         (own[..own.len() - 4].to_vec(), RestoreError::WrongLength { given: own.len() - 4, expected: own.len() }),
         ([&own[..], &[0; 8]].concat(), RestoreError::WrongLength { given: own.len() + 8, expected: own.len() }),
         (Vec::new(), RestoreError::NotSaved),
         (vec![7; own.len()], RestoreError::NotSaved),
+        (damaged, RestoreError::Damaged),
         (newer, RestoreError::WrongVersion { given: 2, known: 1 }),
         (saved(&other), RestoreError::AnotherScene),
     ];

@@ -1,6 +1,5 @@
 //! What a host changes between steps: its field, and whatever else of a scene may change while it runs.
 use crate::arithmetic::real::{div, vec3};
-use crate::clock::set_step;
 use crate::error::SceneError;
 use crate::layout::{StepUniform, f32x4};
 use crate::live::Change;
@@ -14,8 +13,8 @@ impl Solver<'_> {
     /// the first step, it also acts in that step's first half.
     ///
     /// # Errors
-    /// Fewer or more nodes than the scene says, or a value that is not finite; the field then stays as it was. Before the first
-    /// step also one that makes accelerations that are no numbers; the field then is 0, and the fluid as it was.
+    /// Fewer or more nodes than the scene says, or a value that is not finite; before the first step also one that makes
+    /// accelerations that are no numbers. The field then stays as it was.
     pub fn set_field(&mut self, nodes: &[f32x4]) -> Result<(), SceneError> {
         let (given, expected) = (nodes.len(), self.memory.given.acceleration_field.len());
         if given != expected {
@@ -24,19 +23,22 @@ impl Solver<'_> {
         if let Some(&value) = nodes.as_flattened().iter().find(|x| !x.is_finite()) {
             return Err(SceneError::NotFinite { field: "field", value });
         }
-        self.memory.given.acceleration_field.copy_from_slice(nodes);
-        if self.steps == 0 && expected > 0 {
+        let begins = self.steps == 0 && expected > 0;
+        if begins {
             // the first step begins with the accelerations at the start
-            if let Err(error) = self.evaluate() {
-                self.memory.given.acceleration_field.fill([0.0; 4]);
-                return Err(error.into());
-            }
+            self.evaluate(Some(nodes))?;
+        }
+        self.memory.given.acceleration_field.copy_from_slice(nodes);
+        if begins {
             self.remember();
         }
         Ok(())
     }
 
     /// Another acceleration of gravity from now on, m/s2; like every change between steps checked as at creation.
+    ///
+    /// A change before the first step finds the particles as the scene's start made them: masses of a hydrostatic start stay those for
+    /// the values at creation, and supports that vary are found once more from the densities at the start.
     ///
     /// # Errors
     /// A value that no scene can have. A term that the plan left out, where the scene does not list it in
@@ -80,7 +82,7 @@ impl Solver<'_> {
     /// Another speed of sound of a fluid by number from now on, m/s. A near stiffness that the scene does not name follows.
     ///
     /// # Errors
-    /// As for [`Solver::set_viscosity`]; also for a fluid with a stiffness.
+    /// As for [`Solver::set_viscosity`]; also where it follows from a stiffness, or from the time step.
     pub fn set_speed_of_sound(&mut self, fluid: u32, speed: f32) -> Result<(), SceneError> {
         self.change(Change::SpeedOfSound(fluid, speed))
     }
@@ -98,8 +100,8 @@ impl Solver<'_> {
     fn change(&mut self, change: Change) -> Result<(), SceneError> {
         let (live, mut next) = self.live.changed(change)?;
         // the step's length and number are the clock's, unless it is they that change
-        let (was, steady) = (self.constants.step.time_step, self.steady);
-        let before = (core::mem::replace(&mut self.live, live), self.constants, steady);
+        let was = self.constants.step.time_step;
+        let before = (core::mem::replace(&mut self.live, live), self.constants);
         if !matches!(change, Change::TimeStep(_)) {
             let StepUniform { gravity, wind, .. } = next.step;
             next.step = StepUniform { gravity, wind, ..self.constants.step };
@@ -108,14 +110,13 @@ impl Solver<'_> {
         self.constants = next;
         if self.steps == 0 {
             // the first step begins with the accelerations at the start
-            if let Err(error) = self.evaluate() {
-                (self.live, self.constants, self.steady) = before;
+            if let Err(error) = self.evaluate(None) {
+                (self.live, self.constants) = before;
                 return Err(error.into());
             }
             self.remember();
         } else if matches!(change, Change::TimeStep(_)) {
-            set_step(&mut self.constants.step, next.step.time_step);
-            self.steady = steady.changed(self.steps, was);
+            self.steady = self.steady.changed(self.steps, was);
             let times = div(self.constants.step.time_step, was);
             let model = self.plan.model;
             for history in self.memory.states[self.current].history.iter_mut() {

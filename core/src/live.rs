@@ -2,7 +2,7 @@
 use crate::derive::Derived;
 use crate::error::SceneError;
 use crate::layout::{Materials, Model, Parameters, StepUniform};
-use crate::scene::{FLUIDS, Fluid, Integrator, Live, Scene, Viscosity, Wind};
+use crate::scene::{FLUIDS, Fluid, Integrator, Live, Scene, SurfaceTension, Viscosity, Wind};
 
 /// A change between two steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -192,9 +192,16 @@ impl LiveScene {
             }
             Change::SurfaceTension(fluid, tension) => {
                 self.fluid("set_surface_tension", fluid)?.surface_tension = tension;
-                kept(m.tension != 0 || tension == 0.0, Live::SurfaceTension)
+                // without a model of it the check says so
+                let has_model = self.scene.model.surface_tension != SurfaceTension::Off;
+                kept(m.tension != 0 || tension == 0.0 || !has_model, Live::SurfaceTension)
             }
             Change::SpeedOfSound(fluid, speed) => {
+                if self.scene.stiffness_for_time_step.is_some() {
+                    let (choice, other) = ("set_speed_of_sound", "stiffness_for_time_step");
+                    let why = "the speed of sound follows from the time step: set that";
+                    return Err(SceneError::NotTogether { choice, other, why });
+                }
                 let fluid = self.fluid("set_speed_of_sound", fluid)?;
                 fluid.speed_of_sound = speed;
                 if fluid.stiffness.is_some() {

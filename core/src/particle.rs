@@ -61,7 +61,7 @@ impl Solver<'_> {
         })
     }
 
-    /// What the kind of the particle in a slot has of its own ([`Parameters::species`]).
+    /// What the kind of the particle in a slot has of its own (`Materials::species`).
     pub(crate) fn kind(&self, slot: usize) -> f32x4 {
         let kind = self.state().velocity[slot][3] as usize;
         let known = if self.plan().model.species == 1 { kind.min(MATERIALS - 1) } else { 0 };

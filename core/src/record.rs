@@ -3,7 +3,8 @@ use crate::clock::SteadyTime;
 use crate::hash::Fnv;
 use crate::layout::{Materials, Model, Parameters, Status};
 use crate::live::{LiveScene, LiveValues};
-use crate::memory::Requirements;
+use crate::memory::{Counts, Requirements};
+use crate::plan::Plan;
 
 /// What the pressure correction came to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -92,17 +93,19 @@ impl Record {
     }
 }
 
-/// What tells one scene's bytes from another's: its model, its constants at creation, how many there are of everything.
+/// What tells one scene's bytes from another's: its model, its constants at creation, how many there are of everything, and how often
+/// pressure is iterated. Where particles are looked up changes no bit, and is left out.
 #[must_use]
 pub(crate) fn fingerprint(
-    model: &Model,
+    plan: &Plan,
     parameters: &Parameters,
     materials: &Materials,
     requirements: &Requirements,
 ) -> u64 {
-    let counts = requirements.counts;
-    let counts = [counts.particles, counts.cells, counts.spring_ends, counts.air, counts.field_nodes];
-    let structs = [bytemuck::bytes_of(model), bytemuck::bytes_of(parameters), bytemuck::bytes_of(materials)];
+    let Counts { particles, spring_ends, air, field_nodes, cells: _ } = requirements.counts;
+    let counts = [particles, spring_ends, air, field_nodes, plan.iterations() as usize];
+    let (model, parameters) = (Model { cell_places: 0, ..plan.model }, Parameters { cells: [0; 4], ..*parameters });
+    let structs = [bytemuck::bytes_of(&model), bytemuck::bytes_of(&parameters), bytemuck::bytes_of(materials)];
     let words = structs.into_iter().flat_map(|bytes| bytemuck::cast_slice::<u8, u32>(bytes).iter().copied());
     words.chain(counts.into_iter().map(|count| count as u32)).fold(Fnv::default(), Fnv::word).0
 }

@@ -1,10 +1,11 @@
 //! A fluid as bytes, and back: every array of the state and what else the next step goes on from. Going on from there gives the same bits
 //! as never having stopped, on either backend.
 //!
-//! The bytes are words of four, little-endian: a head of [`HEAD_WORDS`], the [`Record`], then the arrays in the order of the table, the
-//! entries of particles in the order of their ids, so that neither slots nor backend nor grid change a byte.
+//! The bytes are words of four, little-endian: a head, the [`Record`], then the arrays in the order of the table, the entries
+//! of particles in the order of their ids, so that neither slots nor backend nor grid change a byte.
 use crate::clock::Clock;
 use crate::error::RestoreError;
+use crate::hash::Fnv;
 use crate::memory::Requirements;
 use crate::plan::arrays::{Array, Class, Unit};
 pub use crate::record::Record;
@@ -16,8 +17,11 @@ const MAGIC: u32 = u32::from_le_bytes(*b"MPND");
 /// Version of the bytes. It changes with whatever is written.
 pub const VERSION: u32 = 1;
 
-/// Words before the record: magic, version, and the fingerprint of the scene.
-pub const HEAD_WORDS: usize = 4;
+/// Words before the record: magic, version, the fingerprint of the scene, and the hash of all that follows.
+const HEAD_WORDS: usize = 6;
+
+/// Bytes of the head.
+const HEAD: usize = HEAD_WORDS * size_of::<u32>();
 
 /// The arrays that are saved: those of the state, and what the host or the start has given but for what follows from the scene.
 fn saved(requirements: &Requirements) -> impl Iterator<Item = Array> + use<> {
@@ -52,13 +56,13 @@ pub fn write<'a>(
     if given != expected {
         return Err(RestoreError::WrongLength { given, expected });
     }
-    let mut places = out.chunks_exact_mut(size_of::<u32>());
+    let (head, body) = out.split_at_mut(HEAD);
+    let mut places = body.chunks_exact_mut(size_of::<u32>());
     let mut put = |word: u32| {
         if let Some(place) = places.next() {
             place.copy_from_slice(&word.to_le_bytes());
         }
     };
-    [MAGIC, VERSION, fingerprint as u32, (fingerprint >> 32) as u32].into_iter().for_each(&mut put);
     record.each_word(&mut put);
     for array in saved(requirements) {
         let (all, entry) = (words(array), array.words());
@@ -69,7 +73,22 @@ pub fn write<'a>(
             all.iter().copied().for_each(&mut put);
         }
     }
+    let hash = hash_of(body);
+    let words = [MAGIC, VERSION, fingerprint as u32, (fingerprint >> 32) as u32, hash as u32, (hash >> 32) as u32];
+    for (place, word) in head.chunks_exact_mut(size_of::<u32>()).zip(words) {
+        place.copy_from_slice(&word.to_le_bytes());
+    }
     Ok(())
+}
+
+/// Bytes as words, little-endian.
+fn words_of(bytes: &[u8]) -> impl Iterator<Item = u32> {
+    bytes.chunks_exact(4).map(|bytes| u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]))
+}
+
+/// What tells damaged bytes.
+fn hash_of(body: &[u8]) -> u64 {
+    words_of(body).fold(Fnv::default(), Fnv::word).0
 }
 
 /// Do the entries of an array lie in the slots of the particles? Else they stand by id, or are no particles'.
@@ -97,24 +116,28 @@ impl Solver<'_> {
     /// Goes on from the bytes of [`Solver::save`], or of a device.
     ///
     /// # Errors
-    /// Bytes of another length, another version or another scene; the fluid then is as it was.
+    /// Bytes of another length, another version or another scene, or damaged ones; the fluid then is as it was.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
         let (given, expected) = (bytes.len(), self.saved_bytes());
-        let mut words = bytes.chunks_exact(4).map(|bytes| u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]));
+        let mut words = words_of(bytes);
         let mut head = [0; HEAD_WORDS];
         head.iter_mut().zip(&mut words).for_each(|(place, word)| *place = word);
-        let [magic, version, low, high] = head;
+        let [magic, version, low, high, hash_low, hash_high] = head;
+        let wide = |low: u32, high: u32| u64::from(low) | u64::from(high) << 32;
         if magic != MAGIC {
             return Err(RestoreError::NotSaved);
         }
         if version != VERSION {
             return Err(RestoreError::WrongVersion { given: version, known: VERSION });
         }
-        if u64::from(low) | u64::from(high) << 32 != self.fingerprint() {
+        if wide(low, high) != self.fingerprint() {
             return Err(RestoreError::AnotherScene);
         }
         if given != expected {
             return Err(RestoreError::WrongLength { given, expected });
+        }
+        if wide(hash_low, hash_high) != hash_of(&bytes[HEAD..]) {
+            return Err(RestoreError::Damaged);
         }
         let mut record = [0; Record::WORDS];
         record.iter_mut().zip(&mut words).for_each(|(place, word)| *place = word);

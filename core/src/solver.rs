@@ -103,14 +103,14 @@ impl<'m> Solver<'m> {
             correction: CorrectionReport::default(),
             air_refused: 0,
             current: 0,
-            fingerprint: fingerprint(&plan.model, &constants.parameters, &constants.materials, &requirements),
+            fingerprint: fingerprint(&plan, &constants.parameters, &constants.materials, &requirements),
             requirements,
             memory,
         };
         fill_tables(&scene.model, scene.dimension.count(), solver.memory.given.kernel_tables);
         solver.memory.given.acceleration_field.fill([0.0; 4]);
         solver.fill(scene, particles)?;
-        solver.evaluate()?;
+        solver.evaluate(None)?;
         // no spring pulls at the start, so that it does not matter that they are made last
         solver.join(scene)?;
         solver.remember();
@@ -140,7 +140,7 @@ impl<'m> Solver<'m> {
         let (model, schedule) = (self.plan.model, self.schedule.clone());
         let (mut constants, mut clock) = (self.constants, self.clock);
         for _ in 0..MOST_ATTEMPTS {
-            let found = self.attempt(executor, &model, &constants, &schedule, begins)?;
+            let found = self.attempt(executor, &model, &constants, None, &schedule, begins)?;
             if !clock.after(&model, &constants.parameters, &mut constants.step, found.maxima) {
                 // the state that was tried is left where it is, and another one is tried
                 continue;
@@ -177,21 +177,23 @@ impl<'m> Solver<'m> {
         executor: &impl Executor,
         model: &Model,
         constants: &Constants,
+        field: Option<&[f32x4]>,
     ) -> Result<Found, StepError> {
-        self.attempt(executor, model, constants, &evaluation(model), &mut |_| ())
+        self.attempt(executor, model, constants, field, &evaluation(model), &mut |_| ())
     }
 
-    /// Tries a step, in the state that is not the fluid.
+    /// Tries a step, in the state that is not the fluid; in another field than its own where one is given.
     fn attempt(
         &mut self,
         executor: &impl Executor,
         model: &Model,
         constants: &Constants,
+        field: Option<&[f32x4]>,
         commands: &[Command],
         begins: &mut dyn FnMut(Pass),
     ) -> Result<Found, StepError> {
         let Arrays { states: [a, b], scratch, given } = &mut self.memory;
-        let (tables, field) = (&*given.kernel_tables, &*given.acceleration_field);
+        let (tables, field) = (&*given.kernel_tables, field.unwrap_or(given.acceleration_field));
         let Constants { parameters, materials, step: uniform, .. } = constants;
         let setup = Setup { model, parameters, materials, uniform, tables, field, simd: self.simd };
         let (old, new) = if self.current == 0 { (&*a, b) } else { (&*b, a) };

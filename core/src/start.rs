@@ -13,12 +13,12 @@ use crate::validate::Checked;
 
 impl Solver<'_> {
     /// Evaluates the first accelerations, sorts the particles, and finds the first time step.
-    pub(crate) fn evaluate(&mut self) -> Result<(), StepError> {
+    pub(crate) fn evaluate(&mut self, field: Option<&[f32x4]>) -> Result<(), StepError> {
         let mut constants = self.constants;
         set_step(&mut constants.step, self.live().time_step());
         // with time standing still a step does nothing else
         let at_rest = constants.at_rest();
-        let found = self.attempt_evaluation(&Serial, &self.plan.model.at_rest(), &at_rest)?;
+        let found = self.attempt_evaluation(&Serial, &self.plan.model.at_rest(), &at_rest, field)?;
         self.accept();
         self.clock = Clock::start(&self.plan.model, &constants.parameters, &mut constants.step, found.maxima);
         self.constants = constants;
@@ -35,7 +35,7 @@ impl Solver<'_> {
         let (m, u) = (self.plan.model, self.constants.step);
         if is_beeman(&m) {
             let back = Model { integrator: MODIFIED_VELOCITY_VERLET, ..m.at_rest() };
-            let found = self.attempt_evaluation(&Serial, &back, &self.constants.backwards()).is_ok();
+            let found = self.attempt_evaluation(&Serial, &back, &self.constants.backwards(), None).is_ok();
             let [a, b] = &mut self.memory.states;
             let (now, before) = if self.current == 0 { (a, b) } else { (b, a) };
             let without_w = |[x, y, z, _]: f32x4| [x, y, z, 0.0];

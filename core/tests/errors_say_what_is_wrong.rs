@@ -32,7 +32,7 @@ fn of_a_scene() {
         (TooFewNodes { axis, nodes: 1 }, "field.counts has 1 along y, and must have at least 2"),
         (
             NoSuchFluid { field: "air.fluid", fluid: 2, fluids: 2 },
-            "air.fluid is 2, and the scene's 2 fluids are counted from 0",
+            "air.fluid names fluid 2, and the scene has 2, counted from 0",
         ),
         (NotTogether { choice: "one", other: "another", why: "they part" }, "one does not go with another: they part"),
         (
@@ -52,7 +52,10 @@ fn of_a_scene() {
             "Velocity of particle 7 is not a finite number",
         ),
         (TooFewCells { axis, cells: 2 }, "grid.cells has 2 along y, and must have at least 3"),
-        (TooManyCells { cells: [1, 2, 3], places: 4 }, "grid.cells 1 x 2 x 3 with 4 places each are more than 2^31"),
+        (
+            TooManyCells { cells: [1, 2, 3], places: 4 },
+            "grid.cells 1 x 2 x 3, with 4 places each, make more than 2^31 places",
+        ),
         (TooManyParticles { particles: 10, most: 9 }, "the scene has 10 particles, and at most 9 are possible"),
         (
             WrongLength { call: "with_particles", what: "particles", given: 1, expected: 2 },
@@ -64,7 +67,7 @@ fn of_a_scene() {
         ),
         (
             CapacityExceeded { what: "position", needed: 9, capacity: 8 },
-            "the scene needs 9 position, and the memory lent has 8",
+            "the scene needs 9 of position, and the memory lent has 8",
         ),
         (
             FirstStep(StepError::OutOfRange { particle: 7, axis, step: 1 }),
@@ -115,6 +118,7 @@ fn of_bytes() {
             RestoreError::WrongLength { given: 3, expected: 4 },
             "a fluid of this scene is 4 bytes long, and 3 were given",
         ),
+        (RestoreError::Damaged, "the bytes are damaged: they are not those that were saved"),
         (
             RestoreError::Scene(SceneError::Negative { field: "fluid.xsph", value: -0.5 }),
             "the saved values do not make a scene: fluid.xsph is -0.5, and must not be negative",

@@ -161,6 +161,17 @@ fn properties_of_fluids_by_name() {
             s.model.pressure_force = PressureForce::Monaghan;
         },
     );
+    refused(
+        "other_fluids.stiffness does not go with an equation_of_state other than Tait: it is the constant of \
+         that equation",
+        |s| {
+            let _ = s.other_fluids.push(Fluid {
+                stiffness: Some(1000.0),
+                equation_of_state: Some(EquationOfState::Desbrun),
+                ..Fluid::default()
+            });
+        },
+    );
     refused("other_fluids.alpha does not go with another of the first fluid's: it is the scene's, one for all", |s| {
         let _ = s.other_fluids.push(Fluid { alpha: 0.5, ..Fluid::default() });
     });

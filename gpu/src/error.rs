@@ -75,7 +75,7 @@ pub enum GpuError {
     Device(String),
     /// A change before the first step, which begins with the accelerations that the CPU evaluated.
     #[error(
-        "{call} comes before the device's first step: call it on the CPU solver that the device starts from, before GpuSolver::new"
+        "{call} comes before the fluid's first step: call it on the CPU solver that the device starts from, before GpuSolver::new"
     )]
     BeforeFirstStep {
         /// What was called.

@@ -7,12 +7,12 @@ use crate::pipelines::{Dispatch, dispatches, record};
 use core::mem::offset_of;
 use millpond_core::arithmetic::real::{div, vec3};
 use millpond_core::hash::state_hash;
-use millpond_core::layout::{Model, Status, StepUniform, f32x4};
+use millpond_core::layout::{Status, StepUniform, f32x4};
 use millpond_core::live::{Change, LiveScene};
 use millpond_core::plan::arrays::{Class, Side};
 use millpond_core::save::{Record, saved_bytes, write};
 use millpond_core::scene::Wind;
-use millpond_core::terms::integrate::{VERLET, history_rescaled};
+use millpond_core::terms::integrate::history_rescaled;
 use millpond_core::{AirReport, Array, CorrectionReport, SceneError, Solver, SteadyTime, TimeReport, verdict};
 
 /// Steps that are recorded before the status is read: a failed step is found at most this late, and costs nothing more.
@@ -24,10 +24,7 @@ pub struct GpuSolver {
     gpu: Gpu,
     buffers: Buffers,
     dispatches: Vec<Dispatch>,
-    cell_places: u32,
-    adaptive: bool,
     live: LiveScene,
-    model: Model,
     uniform: StepUniform,
     steady: SteadyTime,
     fingerprint: u64,
@@ -99,10 +96,7 @@ impl GpuSolver {
             gpu: gpu.clone(),
             buffers,
             dispatches,
-            cell_places: plan.model.cell_places,
-            adaptive: plan.model.adaptive == 1,
             live: solver.live().clone(),
-            model: plan.model,
             uniform: *solver.uniform(),
             steady: solver.steady_time(),
             fingerprint: solver.fingerprint(),
@@ -131,7 +125,7 @@ impl GpuSolver {
             self.attempts += now;
             self.steps = u64::from(status.steps);
             if status.failed == 1 {
-                return Err(verdict(&status, self.cell_places).err().map_or_else(lost, GpuError::Step));
+                return Err(verdict(&status, self.buffers.model().cell_places).err().map_or_else(lost, GpuError::Step));
             }
         }
         Ok(())
@@ -148,7 +142,7 @@ impl GpuSolver {
             encoder.copy_buffer_to_buffer(head, from as u64, step, to as u64, Some(bytes));
         };
         copy(offset_of!(Status, steps), offset_of!(StepUniform, step), 1);
-        if self.adaptive {
+        if self.is_adaptive() {
             copy(offset_of!(Status, time_step), offset_of!(StepUniform, time_step), 3);
         }
         record(&self.dispatches, encoder, old);
@@ -175,7 +169,7 @@ impl GpuSolver {
     /// The host's field from now on, as [`Solver::set_field`] takes it.
     ///
     /// # Errors
-    /// Fewer or more nodes than the scene says, or a value that is not finite; the field then stays as it was.
+    /// Fewer or more nodes than the scene says, or a value that is not finite; a call before the fluid's first step. The field then stays as it was.
     pub fn set_field(&mut self, nodes: &[f32x4]) -> Result<(), GpuError> {
         let (given, expected) = (nodes.len(), self.buffers.counts().field_nodes);
         if given != expected {
@@ -195,7 +189,7 @@ impl GpuSolver {
     /// Another acceleration of gravity from now on, as [`Solver::set_gravity`] takes it.
     ///
     /// # Errors
-    /// As there; also before the first step on the device, when the CPU solver is the one to be told.
+    /// As there; also before the fluid's first step, when the CPU solver is the one to be told.
     pub fn set_gravity(&mut self, gravity: [f32; 3]) -> Result<(), GpuError> {
         self.change("set_gravity", Change::Gravity(gravity))
     }
@@ -248,6 +242,11 @@ impl GpuSolver {
         self.change("set_stiffness", Change::Stiffness(fluid, stiffness))
     }
 
+    /// Does its time step follow from the state?
+    fn is_adaptive(&self) -> bool {
+        self.buffers.model().adaptive == 1
+    }
+
     /// The first step begins with accelerations that the CPU evaluated, so that a change before it is the CPU's to make.
     fn has_begun(&self, call: &'static str) -> Result<(), GpuError> {
         if self.steps == 0 { Err(GpuError::BeforeFirstStep { call }) } else { Ok(()) }
@@ -274,7 +273,7 @@ impl GpuSolver {
         queue.write_buffer(materials, 0, bytemuck::bytes_of(&next.materials));
         // the device's clock writes the time step itself, where it follows from the state
         let bytes = bytemuck::bytes_of(&uniform);
-        let fixed = if self.adaptive { offset_of!(StepUniform, time_step) } else { size_of::<StepUniform>() };
+        let fixed = if self.is_adaptive() { offset_of!(StepUniform, time_step) } else { size_of::<StepUniform>() };
         queue.write_buffer(step, 0, &bytes[..fixed]);
         Ok(())
     }
@@ -282,13 +281,13 @@ impl GpuSolver {
     /// What an integrator remembers of the last step, for one that is so many times as long.
     fn rescale_history(&self, times: f32) -> Result<(), GpuError> {
         let words = self.buffers.words(Array::history);
-        if words == 0 || self.model.integrator != VERLET {
+        if words == 0 {
             return Ok(());
         }
         let buffer = self.buffers.array(Array::history, Side::Old, self.current());
         let mut history: Vec<f32x4> = read(&self.gpu, buffer, words / 4)?;
         for entry in &mut history {
-            let vec3 { x, y, z } = history_rescaled::<f32>(&self.model, vec3::splat(*entry), times);
+            let vec3 { x, y, z } = history_rescaled::<f32>(self.buffers.model(), vec3::splat(*entry), times);
             *entry = [x, y, z, 0.0];
         }
         self.gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(&history));
@@ -314,7 +313,7 @@ impl GpuSolver {
     /// The device failed.
     pub fn time_report(&self) -> Result<TimeReport, GpuError> {
         let mut report = TimeReport::of(&self.status()?);
-        if !self.adaptive {
+        if !self.is_adaptive() {
             report.time = self.steady.after(self.steps, self.uniform.time_step);
             report.next = self.uniform.time_step;
         }
@@ -364,7 +363,7 @@ impl GpuSolver {
     pub fn save(&self) -> Result<Vec<u8>, GpuError> {
         let state = self.read()?;
         let status = self.status()?;
-        let time_step = if self.adaptive { status.time_step } else { self.uniform.time_step };
+        let time_step = if self.is_adaptive() { status.time_step } else { self.uniform.time_step };
         let record = Record::of_status(&status, self.steady, time_step, &self.live);
         let mut given = Vec::new();
         for array in Array::ALL.iter().copied().filter(|array| array.class() == Class::Given && is_on_device(*array)) {

@@ -18,7 +18,7 @@ pub(crate) struct Bonds<'a> {
     reach: f64,
 }
 
-/// A particle that may be joined: its position, the constants of its material ([`Parameters::species`]).
+/// A particle that may be joined: its position, the constants of its material (`Materials::species`).
 pub(crate) type End = (f32x4, f32x4);
 
 impl Bonds<'_> {

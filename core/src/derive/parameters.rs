@@ -7,6 +7,7 @@ use super::scales::Scales;
 use super::step_limits::StepLimits;
 use crate::layout::{PLANES, Parameters, Planes, StepUniform};
 use crate::scene::{FACES, Face, NearPressure, Scene, SupportRange, Viscosity};
+use bytemuck::Zeroable;
 
 const _: () = assert!(PLANES == FACES, "a plane for each face of a container");
 
@@ -117,14 +118,8 @@ pub(super) fn parameters(
 /// The numbers of the first step, as a scene asks for it.
 pub(super) fn step_uniform(scene: &Scene) -> StepUniform {
     let [gx, gy, gz] = scene.gravity;
-    StepUniform {
-        gravity: [gx, gy, gz, 0.0],
-        wind: scene.wind.map_or([0.0; 4], |w| [w.velocity[0], w.velocity[1], w.velocity[2], w.drag]),
-        time_step: scene.time_step,
-        half_time_step: scene.time_step * 0.5,
-        inverse_time_step: (1.0 / f64::from(scene.time_step)) as f32,
-        step: 0,
-    }
+    let wind = scene.wind.map_or([0.0; 4], |w| [w.velocity[0], w.velocity[1], w.velocity[2], w.drag]);
+    StepUniform { gravity: [gx, gy, gz, 0.0], wind, ..Zeroable::zeroed() }.with_time_step(scene.time_step)
 }
 
 /// The walls of the container: inward normals and offsets, and how many there are.

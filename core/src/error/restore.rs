@@ -24,6 +24,8 @@ pub enum RestoreError {
         /// Bytes expected.
         expected: usize,
     },
+    /// Bytes that are not those that were written.
+    Damaged,
     /// Values that were changed between steps and that no scene can have.
     Scene(SceneError),
 }
@@ -41,6 +43,7 @@ impl fmt::Display for RestoreError {
             RestoreError::WrongLength { given, expected } => {
                 write!(f, "a fluid of this scene is {expected} bytes long, and {given} were given")
             }
+            RestoreError::Damaged => write!(f, "the bytes are damaged: they are not those that were saved"),
             RestoreError::Scene(error) => write!(f, "the saved values do not make a scene: {error}"),
         }
     }

@@ -263,7 +263,7 @@ impl fmt::Display for SceneError {
                 write!(f, "field.counts has {nodes} along {axis}, and must have at least 2")
             }
             SceneError::NoSuchFluid { field, fluid, fluids } => {
-                write!(f, "{field} is {fluid}, and the scene's {fluids} fluids are counted from 0")
+                write!(f, "{field} names fluid {fluid}, and the scene has {fluids}, counted from 0")
             }
             SceneError::NotTogether { choice, other, why } => write!(f, "{choice} does not go with {other}: {why}"),
             SceneError::LeftOut { field, live } => {
@@ -290,7 +290,7 @@ impl fmt::Display for SceneError {
                 write!(f, "grid.cells has {cells} along {axis}, and must have at least 3")
             }
             SceneError::TooManyCells { cells: [x, y, z], places } => {
-                write!(f, "grid.cells {x} x {y} x {z} with {places} places each are more than 2^31")
+                write!(f, "grid.cells {x} x {y} x {z}, with {places} places each, make more than 2^31 places")
             }
             SceneError::TooManyParticles { particles, most } => {
                 write!(f, "the scene has {particles} particles, and at most {most} are possible")
@@ -302,7 +302,7 @@ impl fmt::Display for SceneError {
                 write!(f, "air.capacity is {air}, and only {particles} particles were given: the last ones are the air")
             }
             SceneError::CapacityExceeded { what, needed, capacity } => {
-                write!(f, "the scene needs {needed} {what}, and the memory lent has {capacity}")
+                write!(f, "the scene needs {needed} of {what}, and the memory lent has {capacity}")
             }
             SceneError::FirstStep(error) => write!(f, "the scene cannot start: {error}"),
         }

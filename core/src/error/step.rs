@@ -16,7 +16,7 @@ pub enum StepError {
         /// The step that was tried, counted from 1.
         step: u64,
     },
-    /// More particles came into a cell than it has places. Give `grid.structure` more, or a larger time step less.
+    /// More particles came into a cell than it has places. Give `grid.structure` more places, or take shorter steps.
     CellFull {
         /// Index of the cell.
         cell: u32,

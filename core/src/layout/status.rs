@@ -63,7 +63,7 @@ shared! {
         pub redone: u32,
         /// Steps that were not made as short as they should have been, the shortest being longer.
         pub held: u32,
-        /// The next step, s. This and the next two go into the parameters before it.
+        /// The next step, s. This and the next two go into the step's uniform before it.
         pub time_step: f32,
         /// Half of it, s.
         pub half_time_step: f32,

@@ -69,14 +69,15 @@ impl<'m> Lender<'m, '_> {
             // entries are named by u32
             entries = entries.min(self.most_neighbours).min(u32::MAX as usize);
         }
-        let words = entries * array.words();
+        let words = entries.saturating_mul(array.words());
         let named = core::mem::take(&mut self.named[array as usize][copy]);
         if !named.is_empty() {
             let capacity = named.len() / array.words();
             let error = SceneError::CapacityExceeded { what: array.name(), needed: entries, capacity };
             return named.get_mut(..words).map(bytemuck::cast_slice_mut).ok_or(error);
         }
-        let own = self.arena.split_off_mut(..words.next_multiple_of(LINE_WORDS)).ok_or(self.too_small)?;
+        let own = words.checked_next_multiple_of(LINE_WORDS).and_then(|lines| self.arena.split_off_mut(..lines));
+        let own = own.ok_or(self.too_small)?;
         own.fill(0);
         Ok(bytemuck::cast_slice_mut(&mut own[..words]))
     }

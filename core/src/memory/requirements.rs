@@ -46,10 +46,9 @@ impl Requirements {
     #[must_use]
     pub fn by_plan(scene: &Checked<'_>, plan: &Plan) -> Requirements {
         let (model, derived) = (plan.model, scene.derived());
-        let cells = derived.cells.iter().map(|&n| n as usize).product::<usize>() + model.air as usize;
         let counts = Counts {
             particles: derived.particles(),
-            cells,
+            cells: derived.parameters.cells[3] as usize,
             spring_ends: if model.springs == 1 { derived.spring_ends } else { 0 },
             air: derived.air_particles,
             field_nodes: derived.field_counts[3] as usize,

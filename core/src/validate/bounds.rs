@@ -2,6 +2,14 @@
 use crate::error::SceneError;
 use crate::scene::Scene;
 
+/// Name of a field of a fluid.
+macro_rules! field {
+    ($number:expr, $name:literal) => {
+        if $number == 0 { concat!("fluid.", $name) } else { concat!("other_fluids.", $name) }
+    };
+}
+pub(super) use field;
+
 /// Most particles of a scene: an id shares a word with an axis or a quantity in an error report.
 pub(super) const MOST_PARTICLES: u64 = (1 << 28) - 1;
 

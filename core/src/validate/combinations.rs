@@ -1,5 +1,5 @@
 //! Choices that do not go together, refused by name before anything is touched.
-use super::bounds::{not_together, positive};
+use super::bounds::{field, not_together, positive};
 use super::time::integrator;
 use crate::derive::scales::Scales;
 use crate::error::SceneError;
@@ -138,16 +138,16 @@ fn pressure(scene: &Scene) -> Result<(), SceneError> {
         ));
     }
     let unused = |fluid: &Fluid| fluid.stiffness.is_some() && scene.equation_of(fluid) != EquationOfState::Tait;
-    if scene.fluids().any(unused) {
+    if let Some(number) = scene.fluids().position(unused) {
         return Err(not_together(
-            "fluid.stiffness",
+            field!(number, "stiffness"),
             "an equation_of_state other than Tait",
             "it is the constant of that equation",
         ));
     }
     let stiff = |fluid: &Fluid| fluid.near_stiffness.is_some_and(|k| k > 0.0);
-    if model.near_pressure == NearPressure::Off && scene.fluids().any(stiff) {
-        return Err(not_together("fluid.near_stiffness", "model.near_pressure Off", "nothing would use it"));
+    if let Some(number) = scene.fluids().position(stiff).filter(|_| model.near_pressure == NearPressure::Off) {
+        return Err(not_together(field!(number, "near_stiffness"), "model.near_pressure Off", "nothing would use it"));
     }
     Ok(())
 }
@@ -185,9 +185,10 @@ fn correction(scene: &Scene) -> Result<(), SceneError> {
 
 fn fluids(scene: &Scene) -> Result<(), SceneError> {
     let model = &scene.model;
-    if scene.corrects_pressure() && scene.fluids().any(|fluid| fluid.equation_of_state.is_some()) {
+    let own = scene.fluids().position(|fluid| fluid.equation_of_state.is_some());
+    if let Some(number) = own.filter(|_| scene.corrects_pressure()) {
         return Err(not_together(
-            "fluid.equation_of_state",
+            field!(number, "equation_of_state"),
             "model.pressure_solver PressureCorrection",
             "pressure is iterated for all fluids, so that nothing would use it",
         ));
@@ -241,8 +242,12 @@ fn springs(scene: &Scene) -> Result<(), SceneError> {
 fn tension(scene: &Scene) -> Result<(), SceneError> {
     let model = &scene.model;
     let pulls = |fluid: &Fluid| fluid.surface_tension > 0.0;
-    if model.surface_tension == SurfaceTension::Off && scene.fluids().any(pulls) {
-        return Err(not_together("fluid.surface_tension", "model.surface_tension Off", "nothing would use it"));
+    if let Some(number) = scene.fluids().position(pulls).filter(|_| model.surface_tension == SurfaceTension::Off) {
+        return Err(not_together(
+            field!(number, "surface_tension"),
+            "model.surface_tension Off",
+            "nothing would use it",
+        ));
     }
     if model.surface_tension == SurfaceTension::Curvature && model.density_kernel.is_cusped() {
         return Err(not_together(

@@ -25,7 +25,7 @@ impl Scene {
     /// Refuses a scene that cannot run, naming the field and its value; or gives proof that it can, with what follows from it.
     ///
     /// # Errors
-    /// The first [`SceneError`] found, fields in the order of their declaration.
+    /// The first [`SceneError`] found: numbers first, then what does not go together.
     pub fn check(&self) -> Result<Checked<'_>, SceneError> {
         ranges::numbers(self)?;
         let scales = Scales::of(self);

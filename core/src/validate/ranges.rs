@@ -1,5 +1,5 @@
 //! What a number of a scene can be, one by one: finite, positive, within its bounds.
-use super::bounds::{MOST_PARTICLES, finite, known_fluid, not_negative, positive, share};
+use super::bounds::{MOST_PARTICLES, field, finite, known_fluid, not_negative, positive, share};
 use super::time::step_lengths;
 use crate::axis::Axis;
 use crate::derive::counts::field_counts;
@@ -10,14 +10,6 @@ use crate::scene::{Fluid, Scene};
 
 /// Most nodes of a host's field: 64 MiB.
 const MOST_NODES: u32 = 1 << 22;
-
-/// Name of a field of a fluid.
-macro_rules! field {
-    ($number:expr, $name:literal) => {
-        if $number == 0 { concat!("fluid.", $name) } else { concat!("other_fluids.", $name) }
-    };
-}
-pub(super) use field;
 
 /// The numbers that all lengths, times and masses follow from.
 pub(super) fn numbers(scene: &Scene) -> Result<(), SceneError> {

@@ -1,5 +1,5 @@
 //! What follows from the numbers of a scene must be a number too, one that an f32 holds.
-use super::ranges::field;
+use super::bounds::field;
 use crate::derive::Derived;
 use crate::error::SceneError;
 use crate::scene::Scene;

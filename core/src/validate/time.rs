@@ -1,5 +1,5 @@
 //! How time may be stepped: bounds of an adaptive step, and what goes with which integrator.
-use super::bounds::{finite, not_together, positive};
+use super::bounds::{field, finite, not_together, positive};
 use crate::error::SceneError;
 use crate::scene::{Adaptive, Integrator, Scene, Viscosity};
 
@@ -110,8 +110,8 @@ fn stiffness(scene: &Scene) -> Result<(), SceneError> {
             "either the stiffness follows from the time step or the time step from the stiffness",
         ));
     }
-    if scene.fluids().any(|fluid| fluid.stiffness.is_some()) {
-        return Err(not_together("stiffness_for_time_step", "fluid.stiffness", "it already says how stiff"));
+    if let Some(number) = scene.fluids().position(|fluid| fluid.stiffness.is_some()) {
+        return Err(not_together("stiffness_for_time_step", field!(number, "stiffness"), "it already says how stiff"));
     }
     if scene.corrects_pressure() {
         return Err(not_together(

@@ -13,7 +13,7 @@ struct Job<'a> {
     support: &'a mut [f32],
 }
 
-/// Fills `support`.
+/// Fills `support_ratio`.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (setup, s) = (step.setup, &mut *step.scratch);
     let (previous, mut supports) = (&*s.previous_density_pressure, &mut *s.support_ratio);

@@ -1,6 +1,6 @@
 // Air is made where the pass before the last said, and vanishes where it is thin. One work group: each thread walks a run of the
 // parents' ids and one of the coat's, and knows from the others' counts the how-manieth its first ones are. Parents wait in a queue
-// behind the entries of `birth`.
+// behind the entries of `spawn_requested`.
 var<workgroup> births: array<u32, WORKGROUP>;
 var<workgroup> sleepers: array<u32, WORKGROUP>;
 var<workgroup> all_births: u32;
