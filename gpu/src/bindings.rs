@@ -7,6 +7,9 @@ use millpond_core::{Array, Pass};
 /// Uniforms before the arrays: the parameters, the numbers of the step, the materials, the kernel tables.
 pub const UNIFORMS: u32 = 4;
 
+/// Cells of a block: how many one work group sums up. The particles of each block are counted behind those of the cells.
+pub const CELL_BLOCK: u32 = 4096;
+
 /// A buffer that a program binds behind the uniforms.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Declared {
@@ -104,7 +107,11 @@ pub fn is_on_device(array: Array) -> bool {
 /// Threads of a work group of a pass.
 #[must_use]
 pub fn workgroup(pass: Pass) -> u32 {
-    // where the only group is wide, each of its threads walks its share of all cells, or of all particles
-    let walks = !pass.bindings().is_empty();
-    if pass.threads() == Threads::Group && walks { 256 } else { WORKGROUP }
+    // where a group is wide, each of its threads walks its share of a block of cells, or of all particles
+    let walks = match pass.threads() {
+        Threads::Cells => true,
+        Threads::Group => !pass.bindings().is_empty(),
+        Threads::Particles | Threads::Host => false,
+    };
+    if walks { 256 } else { WORKGROUP }
 }

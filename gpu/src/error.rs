@@ -70,6 +70,20 @@ pub enum GpuError {
         /// The device's limit.
         limit: u32,
     },
+    /// The device has no clock that a pass could read.
+    #[error("adapter {adapter} cannot time its passes: it offers no timestamp queries")]
+    NoPassTimes {
+        /// Its name.
+        adapter: String,
+    },
+    /// A step of more passes than can be timed at once.
+    #[error("a step of this scene runs {passes} passes, and the times of {most} can be taken: allow fewer iterations")]
+    TooManyPasses {
+        /// Passes of a step, repetitions counted.
+        passes: usize,
+        /// The most.
+        most: usize,
+    },
     /// The device stopped answering.
     #[error("the device failed: {0}")]
     Device(String),

@@ -18,6 +18,7 @@ pub mod words;
 
 mod buffers;
 mod open;
+mod pass_times;
 mod pipelines;
 
 pub use device::{Gpu, Mode};

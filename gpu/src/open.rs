@@ -65,6 +65,8 @@ impl Gpu {
             wanted.required_features = strict;
             wanted.experimental_features = experimental();
         }
+        // only to say how long a pass took
+        wanted.required_features |= adapter.features() & wgpu::Features::TIMESTAMP_QUERY;
         // buffers may be as large as the adapter takes
         let limits = adapter.limits();
         wanted.required_limits.max_storage_buffer_binding_size = limits.max_storage_buffer_binding_size;

@@ -1,10 +1,11 @@
 //! A step as the device is told of it: for each command of the schedule a pipeline, its bind groups for both directions, its work groups.
-use crate::bindings::{Declared, UNIFORMS, bound, declared, workgroup};
+use crate::bindings::{CELL_BLOCK, Declared, UNIFORMS, bound, declared, workgroup};
 use crate::buffers::{Buffers, UNIFORM_STRIDE};
 use crate::device::Gpu;
 use crate::error::GpuError;
+use crate::pass_times::PassClock;
 use crate::program::program;
-use millpond_core::layout::{Model, WORKGROUP};
+use millpond_core::layout::{Model, Parameters, WORKGROUP};
 use millpond_core::plan::arrays::Side;
 use millpond_core::plan::passes::{Access, Bound, Threads};
 use millpond_core::plan::schedule::Command;
@@ -31,13 +32,20 @@ struct Recorder<'g> {
     buffers: &'g Buffers,
     model: Model,
     particles: u32,
+    cells: u32,
     pipelines: BTreeMap<usize, (wgpu::BindGroupLayout, wgpu::ComputePipeline)>,
 }
 
 /// The dispatches of a step. All repetitions of an iteration are among them; on the device those after the last needed one do nothing.
-pub(crate) fn dispatches(gpu: &Gpu, plan: &Plan, buffers: &Buffers, particles: u32) -> Result<Vec<Dispatch>, GpuError> {
+pub(crate) fn dispatches(
+    gpu: &Gpu,
+    plan: &Plan,
+    buffers: &Buffers,
+    of: &Parameters,
+) -> Result<Vec<Dispatch>, GpuError> {
     let pipelines = BTreeMap::new();
-    let mut recorder = Recorder { gpu, buffers, model: plan.model, particles, pipelines };
+    let (particles, cells) = (of.particle_count, of.cells[3]);
+    let mut recorder = Recorder { gpu, buffers, model: plan.model, particles, cells, pipelines };
     let mut dispatches = Vec::new();
     recorder.add(&plan.schedule(), &mut dispatches)?;
     Ok(dispatches)
@@ -69,7 +77,7 @@ impl Recorder<'_> {
             let resources = self.resources(command, pass, old);
             bind_group(self.gpu, pass.name(), &layout, resources)
         });
-        Ok(Dispatch { pass, pipeline, groups, size: size(pass, self.particles) })
+        Ok(Dispatch { pass, pipeline, groups, size: self.size(pass) })
     }
 
     /// What a command binds when state `old` is the old one.
@@ -109,30 +117,54 @@ impl Recorder<'_> {
         all
     }
 
+    /// Work groups of a pass, in rows.
+    fn size(&self, pass: Pass) -> [u32; 2] {
+        let groups = match pass.threads() {
+            Threads::Particles => self.particles.div_ceil(workgroup(pass)),
+            Threads::Cells => self.cells.div_ceil(CELL_BLOCK),
+            Threads::Group | Threads::Host => 1,
+        };
+        let rows = groups.div_ceil(MOST_GROUPS).max(1);
+        [groups.div_ceil(rows), rows]
+    }
+
     fn model_copies(&self, array: Array) -> usize {
         array.copies(&self.model)
     }
 }
 
-/// Records one step from state `old`.
-pub(crate) fn record(dispatches: &[Dispatch], encoder: &mut wgpu::CommandEncoder, old: usize) {
-    for dispatch in dispatches {
-        let label = Some(dispatch.pass.name());
-        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label, timestamp_writes: None });
-        pass.set_pipeline(&dispatch.pipeline);
-        pass.set_bind_group(0, &dispatch.groups[old], &[]);
-        pass.dispatch_workgroups(dispatch.size[0], dispatch.size[1], 1);
+impl Dispatch {
+    /// The pass that it runs.
+    pub(crate) fn pass(&self) -> Pass {
+        self.pass
+    }
+
+    fn record(&self, pass: &mut wgpu::ComputePass<'_>, old: usize) {
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &self.groups[old], &[]);
+        pass.dispatch_workgroups(self.size[0], self.size[1], 1);
     }
 }
 
-/// Work groups of a pass, in rows.
-fn size(pass: Pass, particles: u32) -> [u32; 2] {
-    let groups = match pass.threads() {
-        Threads::Particles => particles.div_ceil(workgroup(pass)),
-        Threads::Group | Threads::Host => 1,
+/// Records one step from state `old`; with `clock`, the times at which each dispatch begins and ends.
+pub(crate) fn record(
+    dispatches: &[Dispatch],
+    encoder: &mut wgpu::CommandEncoder,
+    old: usize,
+    clock: Option<&PassClock>,
+) {
+    let Some(clock) = clock else {
+        let mut pass =
+            encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some("step"), timestamp_writes: None });
+        for dispatch in dispatches {
+            dispatch.record(&mut pass, old);
+        }
+        return;
     };
-    let rows = groups.div_ceil(MOST_GROUPS).max(1);
-    [groups.div_ceil(rows), rows]
+    for (i, dispatch) in dispatches.iter().enumerate() {
+        let (label, timestamp_writes) = (Some(dispatch.pass.name()), Some(clock.around(i)));
+        dispatch.record(&mut encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label, timestamp_writes }), old);
+    }
 }
 
 /// Runs a program of two storage buffers, one read and one written, once.

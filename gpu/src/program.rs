@@ -1,5 +1,5 @@
 //! The complete WGSL of a pass: prelude, layout, choices, terms, arrays, loop, entry point.
-use crate::bindings::{declarations, reads_pairs, workgroup};
+use crate::bindings::{CELL_BLOCK, declarations, reads_pairs, workgroup};
 use crate::text::wgsl_of;
 use millpond_core::Pass;
 use millpond_core::layout::{
@@ -84,7 +84,7 @@ pub fn program(pass: Pass, model: &Model, words: Words) -> String {
     if reads_pairs(pass) {
         out += include_str!("shaders/local.wgsl");
     }
-    out += &format!("const WORKGROUP: u32 = {}u;\n", workgroup(pass));
+    out += &format!("const WORKGROUP: u32 = {}u;\nconst CELL_BLOCK: u32 = {CELL_BLOCK}u;\n", workgroup(pass));
     out += &declarations(pass, model);
     out += loop_text(pass);
     // one row of groups holds fewer threads than a large scene has particles, so there may be several rows

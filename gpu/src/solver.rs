@@ -3,6 +3,7 @@ use crate::bindings::is_on_device;
 use crate::buffers::{Buffers, read};
 use crate::device::Gpu;
 use crate::error::GpuError;
+use crate::pass_times::PassClock;
 use crate::pipelines::{Dispatch, dispatches, record};
 use core::mem::offset_of;
 use millpond_core::arithmetic::real::{div, vec3};
@@ -13,10 +14,13 @@ use millpond_core::plan::arrays::{Class, Side};
 use millpond_core::save::{Record, saved_bytes, write};
 use millpond_core::scene::Wind;
 use millpond_core::terms::integrate::history_rescaled;
-use millpond_core::{AirReport, Array, CorrectionReport, SceneError, Solver, SteadyTime, TimeReport, verdict};
+use millpond_core::{AirReport, Array, CorrectionReport, Pass, SceneError, Solver, SteadyTime, TimeReport, verdict};
 
 /// Steps that are recorded before the status is read: a failed step is found at most this late, and costs nothing more.
 pub const STEPS_PER_STATUS: u32 = 64;
+
+/// Steps that are handed to the device at once.
+const STEPS_PER_SUBMISSION: usize = 8;
 
 /// A fluid on a device.
 #[derive(Debug)]
@@ -89,7 +93,7 @@ impl GpuSolver {
         countable(solver.steps())?;
         let (buffers, dispatches) = gpu.caught(|| {
             let buffers = Buffers::of(gpu, solver)?;
-            let dispatches = dispatches(gpu, plan, &buffers, parameters.particle_count)?;
+            let dispatches = dispatches(gpu, plan, &buffers, parameters)?;
             Ok((buffers, dispatches))
         })?;
         Ok(GpuSolver {
@@ -115,25 +119,53 @@ impl GpuSolver {
         let until = self.steps + u64::from(count);
         countable(until)?;
         while self.steps < until {
-            let now = (until - self.steps).min(u64::from(STEPS_PER_STATUS));
+            self.attempt((until - self.steps).min(u64::from(STEPS_PER_STATUS)), None)?;
+        }
+        Ok(())
+    }
+
+    /// Makes one time step and says how long each pass took on the device, in the order of the step, in milliseconds; a pass
+    /// that runs more than once stands there as often.
+    ///
+    /// # Errors
+    /// As for [`GpuSolver::step`]; also a device that cannot time its passes, or has no room for the times of so many.
+    pub fn step_timed(&mut self) -> Result<Vec<(Pass, f64)>, GpuError> {
+        let until = self.steps + 1;
+        countable(until)?;
+        let clock = PassClock::new(&self.gpu, self.dispatches.len())?;
+        while self.steps < until {
+            self.attempt(1, Some(&clock))?;
+        }
+        let times = clock.milliseconds(&self.gpu)?;
+        Ok(self.dispatches.iter().map(Dispatch::pass).zip(times).collect())
+    }
+
+    /// Records so many attempts at a step, and reads what became of them.
+    fn attempt(&mut self, count: u64, clock: Option<&PassClock>) -> Result<(), GpuError> {
+        let attempts: Vec<u64> = (self.attempts..self.attempts + count).collect();
+        // the device works on some while the next ones are being recorded
+        for some in attempts.chunks(STEPS_PER_SUBMISSION) {
             let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-            for attempt in self.attempts..self.attempts + now {
-                self.record(&mut encoder, attempt as usize % 2);
+            for attempt in some {
+                self.record(&mut encoder, *attempt as usize % 2, clock);
+            }
+            if let Some(clock) = clock {
+                clock.resolve(&mut encoder);
             }
             self.gpu.caught(|| Ok(self.gpu.queue.submit([encoder.finish()])))?;
-            let status = self.status()?;
-            self.attempts += now;
-            self.steps = u64::from(status.steps);
-            if status.failed == 1 {
-                return Err(verdict(&status, self.buffers.model().cell_places).err().map_or_else(lost, GpuError::Step));
-            }
+        }
+        let status = self.status()?;
+        self.attempts += count;
+        self.steps = u64::from(status.steps);
+        if status.failed == 1 {
+            return Err(verdict(&status, self.buffers.model().cell_places).err().map_or_else(lost, GpuError::Step));
         }
         Ok(())
     }
 
     /// Records an attempt at a step from state `old`. After one that is to be made again the next finds the states the other way
     /// round, and sits out.
-    fn record(&self, encoder: &mut wgpu::CommandEncoder, old: usize) {
+    fn record(&self, encoder: &mut wgpu::CommandEncoder, old: usize, clock: Option<&PassClock>) {
         let Buffers { head, step, .. } = &self.buffers;
         encoder.clear_buffer(head, size_of::<Status>() as u64, None);
         // the clock's numbers go into the step's without the host ever seeing them
@@ -145,7 +177,7 @@ impl GpuSolver {
         if self.is_adaptive() {
             copy(offset_of!(Status, time_step), offset_of!(StepUniform, time_step), 3);
         }
-        record(&self.dispatches, encoder, old);
+        record(&self.dispatches, encoder, old, clock);
     }
 
     /// Which state is the fluid: they trade places at each step that counts.

@@ -12,7 +12,7 @@ use crate::timing::{Milliseconds, timed};
 use millpond_core::OwnedMemory;
 use millpond_core::scene::GridStructure;
 use millpond_core::{Checked, Executor, Pass, Requirements, Simd, Solver};
-use millpond_gpu::{Gpu, GpuSolver, Mode};
+use millpond_gpu::{Gpu, GpuError, GpuSolver, Mode};
 use serde::Serialize;
 use std::time::Instant;
 
@@ -65,8 +65,11 @@ pub struct Bench {
     pub simd: String,
     /// Time of a step.
     pub ms_per_step: Milliseconds,
-    /// Shortest time of each pass; empty on a GPU, which is not asked.
+    /// Shortest time of each pass, on a GPU by the device's own clock; empty on a GPU that has none.
     pub passes: Vec<PassTime>,
+    /// Time of a step, ms, where a GPU is given all steps at once and asked for nothing in between.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ms_per_step_at_once: Option<f64>,
     /// Shortest step over the particles, ns.
     pub ns_per_particle_step: f64,
     /// Memory of the solver over the particles.
@@ -175,6 +178,7 @@ fn bench(named: &Named, options: &Options) -> Result<Bench, Failure> {
         simd: timed.path,
         ms_per_step,
         passes: timed.passes,
+        ms_per_step_at_once: timed.ms_at_once,
         ns_per_particle_step: ms_per_step.min * 1e6 / needs.counts.particles.max(1) as f64,
         bytes_per_particle: needs.bytes() as f64 / needs.counts.particles.max(1) as f64,
         average_neighbours: FirstLast { first: first?, last: last? },
@@ -231,6 +235,7 @@ struct Timed {
     path: String,
     steps: Vec<f64>,
     passes: Vec<PassTime>,
+    ms_at_once: Option<f64>,
     first: Snapshot,
     last: Snapshot,
 }
@@ -247,7 +252,7 @@ fn time_cpu(
     }
     let first = Snapshot::of_cpu(solver);
     let mut steps = Vec::new();
-    let mut shortest = [f64::INFINITY; Pass::ALL.len()];
+    let mut shortest = Shortest::default();
     for _ in 0..options.steps {
         let mut marks: Vec<(Pass, Instant)> = Vec::with_capacity(Pass::ALL.len());
         let (result, ms) = timed(|| solver.step_observed(pool, &mut |pass| marks.push((pass, Instant::now()))));
@@ -255,24 +260,46 @@ fn time_cpu(
         result?;
         steps.push(ms);
         let ends = marks.iter().skip(1).map(|(_, begin)| *begin).chain([end]);
-        // a pass that runs more than once in a step takes as long as all of its runs
-        let mut took = [0.0; Pass::ALL.len()];
-        for ((pass, begin), end) in marks.iter().zip(ends) {
-            took[*pass as usize] += (end - *begin).as_secs_f64() * 1e3;
-        }
-        for (best, took) in shortest.iter_mut().zip(took).filter(|(_, took)| *took > 0.0) {
-            *best = best.min(took);
-        }
+        let took = marks.iter().zip(ends).map(|((pass, begin), end)| (*pass, (end - *begin).as_secs_f64() * 1e3));
+        shortest.add_step(took);
         bar.inc(1);
     }
-    let ran = Pass::ALL.into_iter().zip(shortest).filter(|(_, ms)| ms.is_finite());
     Ok(Timed {
         path: format!("{:?}", solver.simd()).to_lowercase(),
         steps,
-        passes: ran.map(|(pass, ms)| PassTime { name: pass.name(), ms }).collect(),
+        passes: shortest.passes(),
+        ms_at_once: None,
         first,
         last: Snapshot::of_cpu(solver),
     })
+}
+
+/// The shortest time of each pass over the steps.
+struct Shortest([f64; Pass::ALL.len()]);
+
+impl Default for Shortest {
+    fn default() -> Shortest {
+        Shortest([f64::INFINITY; Pass::ALL.len()])
+    }
+}
+
+impl Shortest {
+    /// Takes in the times of a step. A pass that runs more than once in it takes as long as all of its runs.
+    fn add_step(&mut self, times: impl Iterator<Item = (Pass, f64)>) {
+        let mut took = [None; Pass::ALL.len()];
+        for (pass, ms) in times {
+            *took[pass as usize].get_or_insert(0.0) += ms;
+        }
+        for (best, took) in self.0.iter_mut().zip(took) {
+            *best = took.map_or(*best, |took| best.min(took));
+        }
+    }
+
+    /// Those of the passes that ran.
+    fn passes(&self) -> Vec<PassTime> {
+        let ran = Pass::ALL.into_iter().zip(self.0).filter(|(_, ms)| ms.is_finite());
+        ran.map(|(pass, ms)| PassTime { name: pass.name(), ms }).collect()
+    }
 }
 
 fn time_gpu(solver: &Solver<'_>, options: &Options, bar: &indicatif::ProgressBar) -> Result<Timed, Failure> {
@@ -289,13 +316,28 @@ fn time_gpu(solver: &Solver<'_>, options: &Options, bar: &indicatif::ProgressBar
         steps.push(ms);
         bar.inc(1);
     }
-    Ok(Timed { path: gpu.name(), steps, passes: Vec::new(), first, last: Snapshot::of_gpu(&solver)? })
+    let last = Snapshot::of_gpu(&solver)?;
+    let (result, ms) = timed(|| solver.step(options.steps));
+    result?;
+    let ms_at_once = Some(ms / f64::from(options.steps));
+    let mut shortest = Shortest::default();
+    for _ in 0..options.steps {
+        match solver.step_timed() {
+            Ok(times) => shortest.add_step(times.into_iter()),
+            Err(GpuError::NoPassTimes { .. } | GpuError::TooManyPasses { .. }) => break,
+            Err(error) => return Err(error.into()),
+        }
+    }
+    Ok(Timed { path: gpu.name(), steps, passes: shortest.passes(), ms_at_once, first, last })
 }
 
 /// The times in words.
 fn table(b: &Bench) -> String {
     let mut out = format!("{}: {} particles, {} threads, {}\n", b.scene, b.particles, b.threads, b.simd);
     out += &format!("  {:8.3} ms a step at least, {:.3} median\n", b.ms_per_step.min, b.ms_per_step.median);
+    if let Some(ms) = b.ms_per_step_at_once {
+        out += &format!("  {ms:8.3} ms a step where the device is given all of them at once\n");
+    }
     for pass in &b.passes {
         out += &format!("  {:8.3} ms {}\n", pass.ms, pass.name);
     }

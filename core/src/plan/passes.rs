@@ -9,7 +9,7 @@ use crate::terms::integrate::needs_predicted_velocity;
 /// states', `@force` is where forces are collected (the new acceleration, or that without pressure). Of these a device binds those that
 /// exist by the plan; on the CPU a pass takes its arrays itself.
 ///
-/// - `particles`: a thread a particle. `group`: one work group. `host`: nothing to do on a device, whose threads walk their cells
+/// - `particles`: a thread a particle. `cells`: a work group a block of cells. `group`: one work group. `host`: nothing to do on a device, whose threads walk their cells
 ///   themselves.
 /// - `status`: `reads` it; or `counts` in it by atomics, and in the cells' counters behind it.
 #[doc(hidden)]
@@ -28,7 +28,7 @@ macro_rules! with_passes {
             CellLists: b_sort / cell_lists, particles, counts, if |m| m.cell_places > 0, [
                 read cell, read rank, write grid_cells];
             /// Finds the first slot of each cell.
-            Scan: b_sort / scan, group, reads, if |_| true, [write cell_start];
+            Scan: b_sort / scan, cells, reads, if |_| true, [write cell_start];
             /// Puts the particles cell by cell (index sort).
             Scatter: b_sort / scatter, particles, reads, if |m| m.cell_places == 0, [
                 read cell, read rank, read cell_start, write cell_members];
@@ -151,6 +151,8 @@ pub struct Binding {
 pub enum Threads {
     /// One a particle.
     Particles,
+    /// A work group a block of cells.
+    Cells,
     /// One work group.
     Group,
     /// None: the pass is the host's alone.
@@ -178,6 +180,9 @@ macro_rules! access {
 macro_rules! threads {
     (particles) => {
         Threads::Particles
+    };
+    (cells) => {
+        Threads::Cells
     };
     (group) => {
         Threads::Group

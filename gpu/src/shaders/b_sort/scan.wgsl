@@ -1,15 +1,23 @@
-// First slot of each cell. One work group: each thread sums a run of cells, the first adds up the runs, each writes its own.
+// First slot of each cell. A work group a block of cells: all threads add up what the blocks before it hold, each sums a run of its
+// cells, the first adds up the runs, each writes its own.
+var<workgroup> blocks_before: array<u32, WORKGROUP>;
 var<workgroup> run_begin: array<u32, WORKGROUP>;
 fn pass_body(thread: u32) {
-  let per_run = (p.cells.w + WORKGROUP - 1u) / WORKGROUP;
-  let first = thread * per_run;
+  let block = thread / WORKGROUP;
+  let own = thread % WORKGROUP;
+  var before = 0u;
+  for (var b = own; b < block; b += WORKGROUP) { before += head.counter[p.cells.w + b]; }
+  blocks_before[own] = before;
+  let per_run = CELL_BLOCK / WORKGROUP;
+  let first = block * CELL_BLOCK + own * per_run;
   let end = min(first + per_run, p.cells.w);
   var sum = 0u;
   for (var c = first; c < end; c += 1u) { sum += head.counter[c]; }
-  run_begin[thread] = sum;
+  run_begin[own] = sum;
   workgroupBarrier();
-  if thread == 0u {
+  if own == 0u {
     var slot = 0u;
+    for (var i = 0u; i < WORKGROUP; i += 1u) { slot += blocks_before[i]; }
     for (var run = 0u; run < WORKGROUP; run += 1u) {
       let count = run_begin[run];
       run_begin[run] = slot;
@@ -18,7 +26,7 @@ fn pass_body(thread: u32) {
   }
   workgroupBarrier();
   if head.status.failed != 0u { return; }
-  var slot = run_begin[thread];
+  var slot = run_begin[own];
   for (var c = first; c < end; c += 1u) {
     cell_start[c] = slot;
     slot += head.counter[c];
