@@ -68,7 +68,7 @@ fn same_on_all_paths(test: &str, scene: &Scene, places: &[InitialParticle]) {
     let scene = &checked(scene);
     let gpu = device(test, Mode::Strict);
     let start = |heap: &mut OwnedMemory, simd, list: bool| {
-        let memory = heap.lend().with_neighbour_entries(if list { usize::MAX } else { 0 });
+        let memory = heap.lend().with_neighbour_words(if list { usize::MAX } else { 0 });
         let at = places.iter().copied();
         let solver = Solver::with_particles(scene, Plan::of(scene), places.len(), at, memory).expect("a scene");
         let mut solver = solver.at_level(simd);

@@ -113,6 +113,11 @@ impl LiveScene {
         }
     }
 
+    /// How many materials it has: fluids, blocks, walls.
+    pub(crate) fn materials(&self) -> [usize; 3] {
+        [1 + self.scene.other_fluids.len(), self.scene.blocks.len(), self.scene.walls.len()]
+    }
+
     /// The scene's time step, s.
     #[must_use]
     pub fn time_step(&self) -> f32 {

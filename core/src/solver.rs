@@ -8,6 +8,7 @@ use crate::hash::{full_state_hash, state_hash};
 use crate::layout::{MOST_ATTEMPTS, Materials, Model, Parameters, Status, StepUniform, f32x4, u32x2};
 use crate::live::{Constants, LiveScene};
 use crate::memory::{Arrays, Memory, Requirements, State};
+use crate::passes::columns::Columns;
 use crate::passes::context::{Found, Setup, Step};
 use crate::plan::Plan;
 use crate::plan::arrays::{Array, Class};
@@ -195,7 +196,8 @@ impl<'m> Solver<'m> {
         let Arrays { states: [a, b], scratch, given } = &mut self.memory;
         let (tables, field) = (&*given.kernel_tables, field.unwrap_or(given.acceleration_field));
         let Constants { parameters, materials, step: uniform, .. } = constants;
-        let setup = Setup { model, parameters, materials, uniform, tables, field, simd: self.simd };
+        let columns = &Columns::of(materials, self.live.materials());
+        let setup = Setup { model, parameters, materials, columns, uniform, tables, field, simd: self.simd };
         let (old, new) = if self.current == 0 { (&*a, b) } else { (&*b, a) };
         let found = Found::nothing(self.steps as u32);
         let command = Command::Run(Pass::IntegrateBefore);

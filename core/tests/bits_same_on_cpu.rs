@@ -11,7 +11,7 @@ use support::{Threads, dam_break, dam_break_2d, thesis_cube};
 fn hashes(scene: &Scene, plan: Plan, simd: Simd, threads: usize, list: bool, steps: usize) -> Vec<u64> {
     let scene = support::checked(scene);
     let mut heap = OwnedMemory::with(&Requirements::by_plan(&scene, &plan));
-    let memory = heap.lend().with_neighbour_entries(if list { usize::MAX } else { 0 });
+    let memory = heap.lend().with_neighbour_words(if list { usize::MAX } else { 0 });
     let (count, places) = (scene.derived().particles(), scene.initial_particles());
     let solver = Solver::with_particles(&scene, plan, count, places, memory).expect("a scene");
     let mut solver = solver.at_level(simd);

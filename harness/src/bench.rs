@@ -50,6 +50,8 @@ pub enum SimdName {
     Base,
     /// Lanes in AVX2.
     Avx2,
+    /// Lanes in AVX-512.
+    Avx512,
 }
 
 /// Result of `bench`.
@@ -152,6 +154,7 @@ fn bench(named: &Named, options: &Options) -> Result<Bench, Failure> {
             SimdName::Scalar => Simd::Scalar,
             SimdName::Base => Simd::Base,
             SimdName::Avx2 => Simd::Avx2,
+            SimdName::Avx512 => Simd::Avx512,
         };
         if options.backend == BackendName::Gpu || simd.or_best() != simd {
             return Err(Failure::Call(format!("--simd {name:?} is not available here").to_lowercase()));

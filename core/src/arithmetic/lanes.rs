@@ -1,8 +1,263 @@
-//! Eight numbers side by side, one particle a lane, never a sum across lanes: so eight lanes give the bits of eight scalar
-//! runs.
+//! Lanes as receivers by neighbours. In each block of four lanes stand four neighbours of one particle, the receiver, whose own numbers
+//! are the same in all four: so nearly every lane holds a pair. The terms do not know of it; sums are added up in the order of the
+//! neighbours, one after the other, so that no level changes a bit.
+use super::blocks::Blocks;
+use super::real::{Real, vec3};
+use crate::layout::f32x4;
 
-#[cfg(not(target_arch = "x86_64"))]
-pub(crate) use super::portable::Lanes as Base;
-/// Lanes in the instructions that every processor of the target has.
-#[cfg(target_arch = "x86_64")]
-pub(crate) use super::x86::Sse as Base;
+/// Most lanes of any level.
+pub(crate) const MOST_LANES: usize = 16;
+
+/// Windows of slots that the codes of neighbours refer to.
+pub(crate) const WINDOWS: usize = 8;
+
+/// Bits of a code that say where in its window a slot is.
+pub(crate) const WINDOW_BITS: u32 = 13;
+
+/// The first slot of each window.
+pub(crate) type Windows = [u32; WINDOWS];
+
+/// Materials that a level can look up without asking memory for each lane.
+pub(crate) const FEW: usize = 16;
+
+/// The slot of a particle for each lane, all of them below the number of particles.
+#[derive(Clone, Copy)]
+#[repr(align(64))]
+pub(crate) struct Slots {
+    slot: [u32; MOST_LANES],
+    particles: usize,
+}
+
+impl Slots {
+    /// Slots of so many lanes.
+    ///
+    /// # Panics
+    /// Where one is no particle's.
+    #[inline(always)]
+    pub(crate) fn new<R: Real>(slot: [u32; MOST_LANES], particles: usize) -> Slots {
+        let limit = particles.min(u32::MAX as usize) as u32;
+        let mut all = true;
+        for slot in &slot[..R::LANES] {
+            all &= *slot < limit;
+        }
+        assert!(all, "a list names a particle that there is not");
+        Slots { slot, particles }
+    }
+
+    /// That of a lane.
+    #[inline(always)]
+    pub(crate) fn lane(&self, i: usize) -> usize {
+        self.slot[i] as usize
+    }
+
+    /// The row of each lane's particle.
+    #[inline(always)]
+    #[expect(unsafe_code, reason = "a bound to check a lane and array would cost a fifth of a step")]
+    pub(crate) fn row<'r>(&self, rows: &'r [f32x4], lane: usize) -> &'r f32x4 {
+        assert!(self.particles <= rows.len());
+        // SAFETY: `new` has seen that each slot is below `particles`, of which there are rows.
+        unsafe { rows.get_unchecked(self.slot[lane] as usize) }
+    }
+}
+
+/// A level of the vocabulary whose lanes can hold receivers by neighbours.
+pub(crate) trait Lanes: Real {
+    /// Receivers side by side.
+    const RECEIVERS: usize;
+    /// Neighbours of each side by side.
+    const NEIGHBOURS: usize;
+    /// Four running sums for each receiver.
+    type Sums: Copy;
+
+    /// The four numbers of each lane's particle.
+    fn gather(rows: &[f32x4], slots: &Slots) -> [Self; 4];
+    /// The four numbers of each receiver, in all of its lanes.
+    fn spread<'r>(row: impl Fn(usize) -> &'r f32x4) -> [Self; 4];
+    /// The four numbers of each receiver, of which all lanes have the same, as rows.
+    fn rows(spread: [Self; 4], out: &mut [f32x4]);
+    /// The four numbers of as many particles as there are lanes, one a lane.
+    fn load<'r>(row: impl Fn(usize) -> &'r f32x4) -> [Self; 4];
+    /// The same as rows.
+    fn store(lanes: [Self; 4], out: &mut [f32x4]);
+
+    /// Nothing summed yet.
+    fn nothing() -> Self::Sums;
+    /// The sums with what the neighbours in the lanes add, one after the other.
+    fn add_up(sums: Self::Sums, parts: [Self; 4]) -> Self::Sums;
+    /// The sums of each receiver, in all of its lanes.
+    fn sums(sums: Self::Sums) -> [Self; 4];
+
+    /// Numbers side by side in memory.
+    fn read(from: &[f32]) -> Self;
+    /// Numbers side by side into memory.
+    fn write(self, to: &mut [f32]);
+    /// The slots that codes stand for.
+    fn slots(codes: &[u16], windows: &Windows) -> [u32; MOST_LANES];
+    /// Appends the numbers of the lanes where the mask holds; returns how many there are then. There must be room for all lanes.
+    fn append(out: &mut [u32], used: usize, numbers: &[u32], mask: Self::Mask) -> usize;
+    /// Entries of a column, by a whole number below its length.
+    fn pick(column: &[f32; FEW], index: Self) -> Self;
+}
+
+/// The first three of four numbers.
+#[inline(always)]
+pub(crate) fn xyz<R>([x, y, z, _]: [R; 4]) -> vec3<R> {
+    vec3(x, y, z)
+}
+
+/// Decodes one code.
+#[inline(always)]
+pub(crate) fn slot(code: u16, windows: &Windows) -> u32 {
+    windows[usize::from(code >> WINDOW_BITS)] + (u32::from(code) & ((1 << WINDOW_BITS) - 1))
+}
+
+/// One receiver and one of its neighbours.
+impl Lanes for f32 {
+    const RECEIVERS: usize = 1;
+    const NEIGHBOURS: usize = 1;
+    type Sums = [f32; 4];
+
+    #[inline(always)]
+    fn gather(rows: &[f32x4], slots: &Slots) -> [f32; 4] {
+        *slots.row(rows, 0)
+    }
+    #[inline(always)]
+    fn spread<'r>(row: impl Fn(usize) -> &'r f32x4) -> [f32; 4] {
+        *row(0)
+    }
+    #[inline(always)]
+    fn rows(spread: [f32; 4], out: &mut [f32x4]) {
+        out[0] = spread;
+    }
+    #[inline(always)]
+    fn load<'r>(row: impl Fn(usize) -> &'r f32x4) -> [f32; 4] {
+        *row(0)
+    }
+    #[inline(always)]
+    fn store(lanes: [f32; 4], out: &mut [f32x4]) {
+        out[0] = lanes;
+    }
+    #[inline(always)]
+    fn nothing() -> [f32; 4] {
+        [0.0; 4]
+    }
+    #[inline(always)]
+    fn add_up([x, y, z, w]: [f32; 4], [a, b, c, d]: [f32; 4]) -> [f32; 4] {
+        [x + a, y + b, z + c, w + d]
+    }
+    #[inline(always)]
+    fn sums(sums: [f32; 4]) -> [f32; 4] {
+        sums
+    }
+    #[inline(always)]
+    fn read(from: &[f32]) -> f32 {
+        from[0]
+    }
+    #[inline(always)]
+    fn write(self, to: &mut [f32]) {
+        to[0] = self;
+    }
+    #[inline(always)]
+    fn slots(codes: &[u16], windows: &Windows) -> [u32; MOST_LANES] {
+        [slot(codes[0], windows); MOST_LANES]
+    }
+    #[inline(always)]
+    fn append(out: &mut [u32], used: usize, numbers: &[u32], mask: bool) -> usize {
+        out[used] = numbers[0];
+        used + usize::from(mask)
+    }
+    #[inline(always)]
+    fn pick(column: &[f32; FEW], index: f32) -> f32 {
+        column[(index as usize).min(FEW - 1)]
+    }
+}
+
+/// Blocks of four lanes: a receiver in each block, by four of its neighbours.
+impl<R: Blocks> Lanes for R {
+    const RECEIVERS: usize = R::LANES / 4;
+    const NEIGHBOURS: usize = 4;
+    type Sums = R;
+
+    #[inline(always)]
+    fn gather(rows: &[f32x4], slots: &Slots) -> [R; 4] {
+        let first = R::of_rows(|block| slots.row(rows, 4 * block));
+        let second = R::of_rows(|block| slots.row(rows, 4 * block + 1));
+        let third = R::of_rows(|block| slots.row(rows, 4 * block + 2));
+        let fourth = R::of_rows(|block| slots.row(rows, 4 * block + 3));
+        R::transpose([first, second, third, fourth])
+    }
+    #[inline(always)]
+    fn spread<'r>(row: impl Fn(usize) -> &'r f32x4) -> [R; 4] {
+        R::sums(R::of_rows(row))
+    }
+    #[inline(always)]
+    fn rows(spread: [R; 4], out: &mut [f32x4]) {
+        let [rows, ..] = R::transpose(spread);
+        for (block, out) in out.iter_mut().enumerate().take(R::RECEIVERS) {
+            *out = rows.block(block);
+        }
+    }
+    #[inline(always)]
+    fn load<'r>(row: impl Fn(usize) -> &'r f32x4) -> [R; 4] {
+        let first = R::of_rows(|block| row(4 * block));
+        let second = R::of_rows(|block| row(4 * block + 1));
+        let third = R::of_rows(|block| row(4 * block + 2));
+        let fourth = R::of_rows(|block| row(4 * block + 3));
+        R::transpose([first, second, third, fourth])
+    }
+    #[inline(always)]
+    fn store(lanes: [R; 4], out: &mut [f32x4]) {
+        let [first, second, third, fourth] = R::transpose(lanes);
+        if out.len() >= R::LANES {
+            for block in 0..R::RECEIVERS {
+                out[4 * block] = first.block(block);
+                out[4 * block + 1] = second.block(block);
+                out[4 * block + 2] = third.block(block);
+                out[4 * block + 3] = fourth.block(block);
+            }
+            return;
+        }
+        for (lane, out) in out.iter_mut().enumerate() {
+            let row = match lane % 4 {
+                0 => first,
+                1 => second,
+                2 => third,
+                _ => fourth,
+            };
+            *out = row.block(lane / 4);
+        }
+    }
+    #[inline(always)]
+    fn nothing() -> R {
+        R::splat(0.0)
+    }
+    #[inline(always)]
+    fn add_up(sums: R, parts: [R; 4]) -> R {
+        let [first, second, third, fourth] = R::transpose(parts);
+        sums + first + second + third + fourth
+    }
+    #[inline(always)]
+    fn sums(sums: R) -> [R; 4] {
+        [sums.first(), sums.second(), sums.third(), sums.fourth()]
+    }
+    #[inline(always)]
+    fn read(from: &[f32]) -> R {
+        R::read_lanes(from)
+    }
+    #[inline(always)]
+    fn write(self, to: &mut [f32]) {
+        self.write_lanes(to);
+    }
+    #[inline(always)]
+    fn slots(codes: &[u16], windows: &Windows) -> [u32; MOST_LANES] {
+        R::decode(codes, windows)
+    }
+    #[inline(always)]
+    fn append(out: &mut [u32], used: usize, numbers: &[u32], mask: R::Mask) -> usize {
+        R::compress(out, used, numbers, mask)
+    }
+    #[inline(always)]
+    fn pick(column: &[f32; FEW], index: R) -> R {
+        R::permute(column, index)
+    }
+}

@@ -1,9 +1,14 @@
-//! Which numbers a pass runs on: scalar, lanes in the target's base instructions, or lanes in AVX2.
+//! Which numbers a pass runs on: scalar, lanes in the target's base instructions, in AVX2, or in AVX-512.
 //!
 //! The choice changes speed, never a bit. `core` cannot ask the operating system, so [`Simd::detect`] reads the
 //! processor itself; a host that knows better names a level.
-use super::lanes::Base;
-use super::real::Real;
+use super::lanes::Lanes;
+
+/// The vector of the target's base instructions.
+#[cfg(not(target_arch = "x86_64"))]
+use super::portable::Four as Base;
+#[cfg(target_arch = "x86_64")]
+use super::x86::Sse as Base;
 
 /// A way to compute, from slowest to fastest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -11,23 +16,39 @@ use super::real::Real;
 pub enum Simd {
     /// One particle at a time: the plain reading of the terms.
     Scalar,
-    /// Eight lanes in the instructions that every processor of the target has.
+    /// Four lanes in the instructions that every processor of the target has.
     Base,
     /// Eight lanes in AVX2 registers.
     Avx2,
+    /// Sixteen lanes in AVX-512 registers.
+    Avx512,
 }
 
 /// Work that can be done in any kind of number: what a pass is to [`Simd`]. `run` must be `#[inline(always)]`, or it is compiled for the base level.
 pub(crate) trait Work {
     /// Does it.
-    fn run<R: Real>(self);
+    fn run<R: Lanes>(self);
 }
 
 impl Simd {
+    /// All levels, from slowest to fastest.
+    pub const ALL: [Simd; 4] = [Simd::Scalar, Simd::Base, Simd::Avx2, Simd::Avx512];
+
     /// The fastest level of this processor.
     #[must_use]
     pub fn detect() -> Simd {
-        if has_avx2() { Simd::Avx2 } else { Simd::Base }
+        let [avx2, avx512] = extensions();
+        match (avx2, avx512) {
+            (true, true) => Simd::Avx512,
+            (true, false) => Simd::Avx2,
+            (false, _) => Simd::Base,
+        }
+    }
+
+    /// The levels that this processor has, from slowest to fastest.
+    pub fn available() -> impl Iterator<Item = Simd> {
+        let best = Simd::detect();
+        Simd::ALL.into_iter().filter(move |level| *level <= best)
     }
 
     /// This level, or the fastest one that the processor has where it lacks this one.
@@ -43,6 +64,7 @@ impl Simd {
             Simd::Scalar => run_by::<f32, W>(work),
             Simd::Base => run_by::<Base, W>(work),
             Simd::Avx2 => run_avx2(work),
+            Simd::Avx512 => run_avx512(work),
         }
     }
 }
@@ -50,7 +72,7 @@ impl Simd {
 /// A function of its own for each level: without optimisation the places of all that is compiled into one lie side by side on
 /// the stack, and those of two levels are more than a thread has.
 #[inline(never)]
-fn run_by<R: Real, W: Work>(work: W) {
+fn run_by<R: Lanes, W: Work>(work: W) {
     work.run::<R>();
 }
 
@@ -66,34 +88,70 @@ fn run_avx2<W: Work>(work: W) {
     unsafe { vector(work) }
 }
 
+#[cfg(target_arch = "x86_64")]
+#[inline]
+#[expect(unsafe_code, reason = "a function for AVX-512 can only be called where the processor has it")]
+fn run_avx512<W: Work>(work: W) {
+    #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl,avx2,popcnt,bmi1,bmi2,lzcnt")]
+    fn vector<W: Work>(work: W) {
+        work.run::<super::x86::Avx512>();
+    }
+    // SAFETY: as for AVX2; `or_best` grants AVX-512 only with all that is enabled here.
+    unsafe { vector(work) }
+}
+
 #[cfg(not(target_arch = "x86_64"))]
 #[inline]
 fn run_avx2<W: Work>(work: W) {
-    work.run::<Base>();
-}
-
-/// Intel's manual, volume 1, 14.7.1: AVX2 counts where the processor has it and the system saves its registers.
-#[cfg(target_arch = "x86_64")]
-#[expect(unsafe_code, reason = "xgetbv faults where the system has not enabled it")]
-fn has_avx2() -> bool {
-    use core::arch::x86_64::{__cpuid, __cpuid_count, _xgetbv};
-    const OSXSAVE_AND_AVX: u32 = 1 << 27 | 1 << 28;
-    const AVX2: u32 = 1 << 5;
-    const VECTOR_REGISTERS: u64 = 0b110;
-    #[target_feature(enable = "xsave")]
-    fn saved_registers() -> u64 {
-        // SAFETY: called only below, once cpuid has shown xgetbv to be enabled.
-        unsafe { _xgetbv(0) }
-    }
-    if __cpuid(0).eax < 7 || __cpuid(1).ecx & OSXSAVE_AND_AVX != OSXSAVE_AND_AVX {
-        return false;
-    }
-    // SAFETY: bit 27 of leaf 1 says that the system has enabled xgetbv.
-    let saved = unsafe { saved_registers() };
-    saved & VECTOR_REGISTERS == VECTOR_REGISTERS && __cpuid_count(7, 0).ebx & AVX2 != 0
+    run_by::<Base, W>(work);
 }
 
 #[cfg(not(target_arch = "x86_64"))]
-fn has_avx2() -> bool {
-    false
+#[inline]
+fn run_avx512<W: Work>(work: W) {
+    run_by::<Base, W>(work);
+}
+
+/// Are there AVX2 and AVX-512? Intel's manual, volume 1, 14.7.1 and 15.2: they count where the processor has them and the system saves
+/// their registers.
+#[cfg(target_arch = "x86_64")]
+#[expect(unsafe_code, reason = "xgetbv faults where the system has not enabled it")]
+fn extensions() -> [bool; 2] {
+    use core::arch::x86_64::{__cpuid, __cpuid_count, _xgetbv};
+    /// Is every one of these bits set?
+    const fn all(word: u32, bits: &[u32]) -> bool {
+        let mut i = 0;
+        while i < bits.len() {
+            if word >> bits[i] & 1 == 0 {
+                return false;
+            }
+            i += 1;
+        }
+        true
+    }
+    #[target_feature(enable = "xsave")]
+    fn saved_registers() -> u32 {
+        // SAFETY: called only below, once cpuid has shown xgetbv to be enabled.
+        unsafe { _xgetbv(0) as u32 }
+    }
+    // bits of leaves 1, 7 and 0x80000001
+    let [popcnt, osxsave, avx] = [23, 27, 28];
+    let [bmi1, avx2, bmi2, f, dq, bw, vl] = [3, 5, 8, 16, 17, 30, 31];
+    let lzcnt = 5;
+    let (basic, highest) = (__cpuid(1).ecx, __cpuid(0).eax);
+    if highest < 7 || !all(basic, &[osxsave, avx]) {
+        return [false; 2];
+    }
+    // SAFETY: cpuid says that the system has enabled xgetbv.
+    let saved = unsafe { saved_registers() };
+    let more = __cpuid_count(7, 0).ebx;
+    // SSE, AVX; masks, upper halves, registers from 16 on
+    let has_avx2 = all(saved, &[1, 2]) && all(more, &[avx2]);
+    let small = all(basic, &[popcnt]) && all(more, &[bmi1, bmi2]) && all(__cpuid(0x8000_0001).ecx, &[lzcnt]);
+    [has_avx2, has_avx2 && small && all(saved, &[5, 6, 7]) && all(more, &[f, dq, bw, vl])]
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn extensions() -> [bool; 2] {
+    [false; 2]
 }

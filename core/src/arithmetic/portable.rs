@@ -1,40 +1,38 @@
-//! Eight numbers side by side in a plain array, for processors whose vectors have no file of their own here: LLVM finds
-//! instructions for them where it can.
-//!
-//! One particle a lane, never a sum across lanes: so eight lanes give the bits of eight scalar runs.
+//! Four numbers side by side in a plain array, for processors whose vectors have no file of their own here: LLVM finds instructions for
+//! them where it can.
+use super::blocks::Blocks;
+use super::lanes::{FEW, MOST_LANES, Windows, slot};
 use super::real::Real;
 use super::root::{floor, root4};
+use crate::layout::f32x4;
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// Lanes of the vector path. Sixteen lost to eight where it was tried: a cell seldom holds so many particles.
-pub const LANES: usize = 8;
-
-/// `LANES` numbers side by side.
+/// Four numbers.
 #[derive(Clone, Copy, Debug)]
-pub struct Lanes(pub [f32; LANES]);
+pub(crate) struct Four([f32; 4]);
 
 macro_rules! each {
     ($i:ident => $e:expr) => {{
-        let mut out = [0.0f32; LANES];
+        let mut out = [0.0f32; 4];
         let mut $i = 0;
-        while $i < LANES {
+        while $i < 4 {
             out[$i] = $e;
             $i += 1;
         }
-        Lanes(out)
+        Four(out)
     }};
 }
 
 macro_rules! operator {
     ($trait:ident $method:ident $op:tt) => {
-        impl $trait for Lanes {
+        impl $trait for Four {
             type Output = Self;
             #[inline(always)]
             fn $method(self, y: Self) -> Self {
                 each!(i => self.0[i] $op y.0[i])
             }
         }
-        impl $trait<f32> for Lanes {
+        impl $trait<f32> for Four {
             type Output = Self;
             #[inline(always)]
             fn $method(self, y: f32) -> Self {
@@ -47,7 +45,7 @@ operator!(Add add +);
 operator!(Sub sub -);
 operator!(Mul mul *);
 
-impl Neg for Lanes {
+impl Neg for Four {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -55,13 +53,13 @@ impl Neg for Lanes {
     }
 }
 
-impl Real for Lanes {
+impl Real for Four {
     /// All ones or all zeros a lane, so that selecting is bit logic.
-    type Mask = [u32; LANES];
-    const LANES: usize = LANES;
+    type Mask = [u32; 4];
+    const LANES: usize = 4;
     #[inline(always)]
     fn splat(x: f32) -> Self {
-        Lanes([x; LANES])
+        Four([x; 4])
     }
     #[inline(always)]
     fn from_lanes(mut f: impl FnMut(usize) -> f32) -> Self {
@@ -72,12 +70,8 @@ impl Real for Lanes {
         self.0[i]
     }
     #[inline(always)]
-    fn any(mask: Self::Mask) -> bool {
-        let mut all = 0;
-        for m in mask {
-            all |= m;
-        }
-        all != 0
+    fn any([a, b, c, d]: [u32; 4]) -> bool {
+        a | b | c | d != 0
     }
     #[inline(always)]
     fn div(self, y: Self) -> Self {
@@ -85,9 +79,7 @@ impl Real for Lanes {
     }
     #[inline(always)]
     fn root(self) -> Self {
-        let [a, b, c, d, e, f, g, h] = self.0;
-        let ([a, b, c, d], [e, f, g, h]) = (root4([a, b, c, d]), root4([e, f, g, h]));
-        Lanes([a, b, c, d, e, f, g, h])
+        Four(root4(self.0))
     }
     #[inline(always)]
     fn abs(self) -> Self {
@@ -98,17 +90,78 @@ impl Real for Lanes {
         each!(i => floor(self.0[i]))
     }
     #[inline(always)]
-    fn less(self, y: Self) -> Self::Mask {
-        let mut out = [0u32; LANES];
+    fn less(self, y: Self) -> [u32; 4] {
+        let mut out = [0u32; 4];
         let mut i = 0;
-        while i < LANES {
+        while i < 4 {
             out[i] = if self.0[i] < y.0[i] { !0 } else { 0 };
             i += 1;
         }
         out
     }
     #[inline(always)]
-    fn select(no: Self, yes: Self, mask: Self::Mask) -> Self {
+    fn select(no: Self, yes: Self, mask: [u32; 4]) -> Self {
         each!(i => f32::from_bits((no.0[i].to_bits() & !mask[i]) | (yes.0[i].to_bits() & mask[i])))
+    }
+}
+
+impl Blocks for Four {
+    #[inline(always)]
+    fn of_rows<'r>(row: impl Fn(usize) -> &'r f32x4) -> Self {
+        Four(*row(0))
+    }
+    #[inline(always)]
+    fn transpose([a, b, c, d]: [Self; 4]) -> [Self; 4] {
+        let column = |i: usize| Four([a.0[i], b.0[i], c.0[i], d.0[i]]);
+        [column(0), column(1), column(2), column(3)]
+    }
+    #[inline(always)]
+    fn first(self) -> Self {
+        Four([self.0[0]; 4])
+    }
+    #[inline(always)]
+    fn second(self) -> Self {
+        Four([self.0[1]; 4])
+    }
+    #[inline(always)]
+    fn third(self) -> Self {
+        Four([self.0[2]; 4])
+    }
+    #[inline(always)]
+    fn fourth(self) -> Self {
+        Four([self.0[3]; 4])
+    }
+    #[inline(always)]
+    fn block(self, _: usize) -> f32x4 {
+        self.0
+    }
+    #[inline(always)]
+    fn read_lanes(from: &[f32]) -> Self {
+        Four([from[0], from[1], from[2], from[3]])
+    }
+    #[inline(always)]
+    fn write_lanes(self, to: &mut [f32]) {
+        to[..4].copy_from_slice(&self.0);
+    }
+    #[inline(always)]
+    fn decode(codes: &[u16], windows: &Windows) -> [u32; MOST_LANES] {
+        let mut out = [0; MOST_LANES];
+        for (out, code) in out.iter_mut().zip(&codes[..4]) {
+            *out = slot(*code, windows);
+        }
+        out
+    }
+    #[inline(always)]
+    fn compress(out: &mut [u32], used: usize, numbers: &[u32], mask: [u32; 4]) -> usize {
+        let (out, mut count) = (&mut out[used..][..4], 0);
+        for (number, listed) in numbers[..4].iter().zip(mask) {
+            out[count] = *number;
+            count += (listed & 1) as usize;
+        }
+        used + count
+    }
+    #[inline(always)]
+    fn permute(column: &[f32; FEW], index: Self) -> Self {
+        each!(i => column[(index.0[i] as usize).min(FEW - 1)])
     }
 }

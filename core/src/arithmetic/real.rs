@@ -6,7 +6,7 @@
 use crate::layout::{TABLE_ENTRIES, Tables};
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// A number of the physics: `f32`, or eight of them. Literals stand on the right: `x * 2.0`.
+/// A number of the physics: `f32`, or several of them. Literals stand on the right: `x * 2.0`.
 pub trait Real:
     Copy
     + Add<Output = Self>
@@ -19,7 +19,7 @@ pub trait Real:
 {
     /// One truth value a lane.
     type Mask: Copy;
-    /// How many particles one value holds.
+    /// How many numbers one value holds.
     const LANES: usize;
     /// The same number in every lane.
     fn splat(x: f32) -> Self;

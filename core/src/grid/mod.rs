@@ -120,14 +120,6 @@ impl Stencil {
         stencil
     }
 
-    /// A single run.
-    #[inline(always)]
-    pub(crate) fn one(start: u32, end: u32) -> Stencil {
-        let mut stencil = Stencil { runs: [(0, 0); 27], count: 1 };
-        stencil.runs[0] = (start, end);
-        stencil
-    }
-
     #[inline(always)]
     fn push(&mut self, start: usize, end: usize) {
         if start < end {

@@ -10,7 +10,7 @@ use bytemuck::Pod;
 pub struct Memory<'m> {
     named: [[&'m mut [u32]; 2]; Array::COUNT],
     arena: &'m mut [u32],
-    most_neighbours: usize,
+    most_neighbour_words: usize,
 }
 
 impl<'m> Memory<'m> {
@@ -18,7 +18,7 @@ impl<'m> Memory<'m> {
     #[must_use]
     pub fn of_arena(arena: &'m mut [u8]) -> Memory<'m> {
         let named = core::array::from_fn(|_| Default::default());
-        Memory { named, arena: &mut [], most_neighbours: usize::MAX }.with_arena_bytes(arena)
+        Memory { named, arena: &mut [], most_neighbour_words: usize::MAX }.with_arena_bytes(arena)
     }
 
     pub(super) fn with_arena_bytes(mut self, arena: &'m mut [u8]) -> Memory<'m> {
@@ -35,20 +35,20 @@ impl<'m> Memory<'m> {
         self
     }
 
-    /// The same with neighbour lists of so many entries at most, 0 for none: they save time and never change a bit, since a block whose
-    /// list does not fit walks its cells again.
+    /// The same with so many words for neighbour lists at most, 0 for none: they save time and never change a bit, since a group whose
+    /// list does not fit searches its cells.
     #[must_use]
-    pub fn with_neighbour_entries(self, most: usize) -> Memory<'m> {
-        Memory { most_neighbours: most, ..self }
+    pub fn with_neighbour_words(self, most: usize) -> Memory<'m> {
+        Memory { most_neighbour_words: most, ..self }
     }
 
     /// What hands out the arrays of a simulation with these requirements.
     pub(super) fn lender<'r>(self, requirements: &'r Requirements) -> Lender<'m, 'r> {
-        let Memory { named, arena, most_neighbours } = self;
+        let Memory { named, arena, most_neighbour_words } = self;
         let unnamed = |array: &&Array| named[**array as usize][0].is_empty();
         let needed = Array::ALL.iter().filter(unnamed).map(|&array| requirements.arena_bytes_of(array)).sum();
         let too_small = SceneError::CapacityExceeded { what: "bytes of arena", needed, capacity: size_of_val(arena) };
-        Lender { named, arena, most_neighbours, requirements, too_small }
+        Lender { named, arena, most_neighbour_words, requirements, too_small }
     }
 }
 
@@ -56,7 +56,7 @@ impl<'m> Memory<'m> {
 pub(super) struct Lender<'m, 'r> {
     named: [[&'m mut [u32]; 2]; Array::COUNT],
     arena: &'m mut [u32],
-    most_neighbours: usize,
+    most_neighbour_words: usize,
     requirements: &'r Requirements,
     too_small: SceneError,
 }
@@ -65,9 +65,9 @@ impl<'m> Lender<'m, '_> {
     /// A copy of an array, as long as it must be, all zero where it comes from the arena.
     pub(super) fn take<T: Pod>(&mut self, array: Array, copy: usize) -> Result<&'m mut [T], SceneError> {
         let mut entries = if copy < self.requirements.copies(array) { self.requirements.entries(array) } else { 0 };
-        if array.unit() == Unit::NeighbourEntry {
-            // entries are named by u32
-            entries = entries.min(self.most_neighbours).min(u32::MAX as usize);
+        if array.unit() == Unit::NeighbourWord {
+            // chunks of codes are named by u32
+            entries = entries.min(self.most_neighbour_words).min(u32::MAX as usize);
         }
         let words = entries.saturating_mul(array.words());
         let named = core::mem::take(&mut self.named[array as usize][copy]);

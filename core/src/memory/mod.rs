@@ -9,6 +9,6 @@ mod views;
 pub use lend::Memory;
 #[cfg(feature = "alloc")]
 pub use owned::OwnedMemory;
-pub use requirements::{Counts, LIST_ENTRIES, Requirements};
+pub use requirements::{Counts, LIST_WORDS, Requirements};
 pub use storage::{Arena, Storage};
 pub use views::{Arrays, Given, Scratch, State};

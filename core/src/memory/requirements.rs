@@ -4,9 +4,9 @@ use crate::plan::Plan;
 use crate::plan::arrays::{Array, Unit};
 use crate::validate::Checked;
 
-/// Entries of the neighbour lists for each particle. A block whose list is full walks its cells again; 25 was the largest mean seen in
-/// moving fluid of 27 to 32 neighbours.
-pub const LIST_ENTRIES: usize = 32;
+/// Words of the neighbour lists for each particle: one for its group's range, and two neighbours in each other one. A group whose list
+/// does not fit searches its cells in each pass.
+pub const LIST_WORDS: usize = 21;
 
 /// Words to which arrays in an arena are aligned: a cache line.
 pub(super) const LINE_WORDS: usize = 16;
@@ -86,7 +86,7 @@ impl Requirements {
             Unit::Particle => particles,
             Unit::Cell => cells,
             Unit::CellPlace => cells.saturating_mul(self.model.cell_places as usize),
-            Unit::NeighbourEntry => particles.saturating_mul(LIST_ENTRIES),
+            Unit::NeighbourWord => particles.saturating_mul(LIST_WORDS),
             Unit::SpringEnd => spring_ends,
             Unit::SpawnRequest => particles.saturating_add(air),
             Unit::FieldNode => field_nodes,

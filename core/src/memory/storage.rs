@@ -3,8 +3,8 @@
 //! [`Storage`] and [`Arena`] are all zero, so as a `static` they lie in .bss and cost the binary nothing. The solver itself only sees
 //! slices of any origin, and so is compiled once for every capacity.
 use super::lend::Memory;
-use super::requirements::{LIST_ENTRIES, Requirements};
-use crate::layout::{f32x4, u32x2};
+use super::requirements::{LIST_WORDS, Requirements};
+use crate::layout::f32x4;
 use crate::plan::arrays::Array;
 
 /// Memory for `N` particles and `CELLS` cells, with `PLACES` places a cell for cell lists (0, the default, for the index sort): the
@@ -33,15 +33,14 @@ pub struct Storage<const N: usize, const CELLS: usize, const PLACES: usize = 0> 
     rank: [[u32; N]; 1],
     cell_members: [[u32; N]; 1],
     source_slot: [[u32; N]; 1],
-    neighbour_ranges: [[u32x2; N]; 1],
-    neighbours: [[u32; LIST_ENTRIES]; N],
+    neighbours: [[u32; LIST_WORDS]; N],
     grid_cells: [[u32; PLACES]; CELLS],
     grid_cell_counters: [u32; CELLS],
     cell_start: [u32; CELLS],
 }
 
 /// The arrays that a storage has by name.
-const NAMED: [Array; 17] = [
+const NAMED: [Array; 16] = [
     Array::position,
     Array::velocity,
     Array::acceleration,
@@ -54,7 +53,6 @@ const NAMED: [Array; 17] = [
     Array::rank,
     Array::cell_members,
     Array::source_slot,
-    Array::neighbour_ranges,
     Array::neighbours,
     Array::grid_cells,
     Array::grid_cell_counters,
@@ -79,8 +77,7 @@ impl<const N: usize, const CELLS: usize, const PLACES: usize> Storage<N, CELLS, 
             rank: [[0; N]; 1],
             cell_members: [[0; N]; 1],
             source_slot: [[0; N]; 1],
-            neighbour_ranges: [[[0; 2]; N]; 1],
-            neighbours: [[0; LIST_ENTRIES]; N],
+            neighbours: [[0; LIST_WORDS]; N],
             grid_cells: [[0; PLACES]; CELLS],
             grid_cell_counters: [0; CELLS],
             cell_start: [0; CELLS],
@@ -120,7 +117,6 @@ impl<const N: usize, const CELLS: usize, const PLACES: usize> Storage<N, CELLS, 
             .with(Array::rank, each(&mut self.rank))
             .with(Array::cell_members, each(&mut self.cell_members))
             .with(Array::source_slot, each(&mut self.source_slot))
-            .with(Array::neighbour_ranges, each(&mut self.neighbour_ranges))
             .with(Array::neighbours, [self.neighbours.as_flattened_mut()])
             .with(Array::grid_cells, [self.grid_cells.as_flattened_mut()])
             .with(Array::grid_cell_counters, [self.grid_cell_counters.as_mut_slice()])

@@ -1,4 +1,5 @@
 //! What every pass is given, and what it finds.
+use super::columns::Columns;
 use crate::arithmetic::level::Simd;
 use crate::layout::{Materials, Model, Parameters, Status, StepUniform, Tables, f32x4};
 use crate::memory::{Given, Scratch, State};
@@ -10,6 +11,8 @@ pub(crate) struct Setup<'a> {
     pub model: &'a Model,
     pub parameters: &'a Parameters,
     pub materials: &'a Materials,
+    /// The same, of those that the scene has, column by column.
+    pub columns: &'a Columns,
     pub uniform: &'a StepUniform,
     pub tables: &'a Tables,
     pub field: &'a [f32x4],

@@ -1,4 +1,5 @@
 //! How particles get into the lanes and out of them, and what their materials have of their own.
+use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{Real, real, vec3};
 use crate::layout::{MATERIALS, MaterialRows, Materials, Model, f32x4};
 
@@ -38,14 +39,13 @@ pub(crate) fn row_of<R: Real>(
 
 /// Particles `first ..= last` in the lanes, the last one repeated to fill up.
 #[inline(always)]
-pub(crate) fn load<R: Real>(array: &[f32x4], first: usize, last: usize) -> vec3<R> {
-    let at = |lane: usize, i: usize| array[(first + lane).min(last)][i];
-    vec3(R::from_lanes(|l| at(l, 0)), R::from_lanes(|l| at(l, 1)), R::from_lanes(|l| at(l, 2)))
+pub(crate) fn load<R: Lanes>(array: &[f32x4], first: usize, last: usize) -> vec3<R> {
+    xyz(R::load(|lane| &array[(first + lane).min(last)]))
 }
 
 /// The same of an array that may not exist: then 0.
 #[inline(always)]
-pub(crate) fn load_if_any<R: Real>(array: &[f32x4], first: usize, last: usize) -> vec3<R> {
+pub(crate) fn load_if_any<R: Lanes>(array: &[f32x4], first: usize, last: usize) -> vec3<R> {
     if array.is_empty() { vec3(real(0.0), real(0.0), real(0.0)) } else { load(array, first, last) }
 }
 
@@ -55,30 +55,11 @@ pub(crate) fn load_one<R: Real>(array: &[f32x4], first: usize, last: usize, i: u
     R::from_lanes(|lane| array[(first + lane).min(last)][i])
 }
 
-/// An array of single numbers, likewise.
-#[inline(always)]
-pub(crate) fn load_scalar<R: Real>(array: &[f32], first: usize, last: usize) -> R {
-    R::from_lanes(|lane| array[(first + lane).min(last)])
-}
-
-/// What a block has written so far: component `i` of its entries in the lanes.
-#[inline(always)]
-pub(crate) fn load_own<R: Real>(own: &[f32x4], i: usize) -> R {
-    R::from_lanes(|lane| own[lane.min(own.len() - 1)][i])
-}
-
-/// The lanes into as many entries as there are, w = 0.
-#[inline(always)]
-pub(crate) fn store<R: Real>(out: &mut [f32x4], v: vec3<R>) {
-    for (lane, out) in out.iter_mut().take(R::LANES).enumerate() {
-        *out = [v.x.lane(lane), v.y.lane(lane), v.z.lane(lane), 0.0];
-    }
-}
 
 /// The lanes into as many entries as there are, whose w stays.
 #[inline(always)]
-pub(crate) fn store_xyz<R: Real>(out: &mut [f32x4], v: vec3<R>) {
-    for (lane, out) in out.iter_mut().take(R::LANES).enumerate() {
-        *out = [v.x.lane(lane), v.y.lane(lane), v.z.lane(lane), out[3]];
-    }
+pub(crate) fn store_xyz<R: Lanes>(out: &mut [f32x4], vec3 { x, y, z }: vec3<R>) {
+    let last = out.len() - 1;
+    let [.., w] = R::load(|lane| &out[lane.min(last)]);
+    R::store([x, y, z, w], out);
 }

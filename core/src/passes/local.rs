@@ -1,7 +1,9 @@
 //! What the pair passes read of particles, and how it gets into the lanes.
+use super::columns::{Column, of_kinds};
 use super::context::Setup;
-use super::lanes::{is_wall, kind, load, load_one, load_scalar, row_of};
-use crate::arithmetic::real::{Real, real, vec3};
+use super::lanes::{is_wall, kind};
+use crate::arithmetic::lanes::{Lanes, Slots};
+use crate::arithmetic::real::{real, vec3};
 use crate::layout::{MaterialRows, f32x4};
 use crate::terms::pair::{Local, Stiffness};
 
@@ -42,52 +44,58 @@ macro_rules! particles {
 pub(crate) use particles;
 
 impl Particles<'_> {
-    /// Particles `first ..= last` in the lanes.
+    /// Particles `first ..= last`, each in the lanes of a receiver, the last one repeated to fill up.
     #[inline(always)]
-    pub(crate) fn receivers<R: Real>(&self, setup: &Setup<'_>, first: usize, last: usize) -> Local<R> {
-        let materials = setup.materials;
-        let of = |i| load_one::<R>(self.density_pressure, first, last, i);
-        let known = !self.density_pressure.is_empty();
-        let none = real::<R>(0.0);
-        let [deviation, pressure, near_pressure, volume] =
-            if known { [of(0), of(1), of(2), of(3)] } else { [none, none, none, none] };
-        let row = |rows: &MaterialRows, i: usize| row_of::<R>(setup.model, rows, self.velocity, first, last, i);
-        Local {
-            position: load(self.position, first, last),
-            velocity: load(self.velocity, first, last),
-            support: self.supports(setup, first, last),
-            mass: load_one(self.position, first, last, 3),
-            deviation,
-            pressure,
-            near_pressure,
-            volume,
-            viscosity: row(&materials.species, 0),
-            wall: row(&materials.species, 1),
-            rest: row(&materials.species, 2),
-            fluid: row(&materials.species, 3),
-            sound: row(&materials.states, 2),
-            equation: row(&materials.states, 3),
-            tension: row(&materials.corrections, 3),
+    pub(crate) fn receivers<R: Lanes>(&self, setup: &Setup<'_>, first: usize, last: usize) -> Local<R> {
+        let velocity = spread(self.velocity, first, last);
+        let density_pressure = if self.is_known() { spread(self.density_pressure, first, last) } else { nothing() };
+        let support = self.supports(setup, first, last);
+        local(setup, spread(self.position, first, last), velocity, density_pressure, support)
+    }
+
+    /// The neighbours in the lanes.
+    #[inline(always)]
+    pub(crate) fn neighbours<R: Lanes>(&self, setup: &Setup<'_>, slots: &Slots) -> Local<R> {
+        let velocity = R::gather(self.velocity, slots);
+        let density_pressure = if self.is_known() { R::gather(self.density_pressure, slots) } else { nothing() };
+        let support = self.supports_of(setup, slots);
+        local(setup, R::gather(self.position, slots), velocity, density_pressure, support)
+    }
+
+    /// Are densities known?
+    #[inline(always)]
+    fn is_known(&self) -> bool {
+        !self.density_pressure.is_empty()
+    }
+
+    /// The support radii of receivers, over the scene's.
+    #[inline(always)]
+    pub(crate) fn supports<R: Lanes>(&self, setup: &Setup<'_>, first: usize, last: usize) -> R {
+        if setup.model.variable_support == 0 {
+            return real(1.0);
         }
+        R::from_lanes(|lane| self.support[(first + lane / R::NEIGHBOURS).min(last)])
     }
 
-    /// Their support radii, over the scene's.
+    /// Those of neighbours.
     #[inline(always)]
-    pub(crate) fn supports<R: Real>(&self, setup: &Setup<'_>, first: usize, last: usize) -> R {
-        if setup.model.variable_support == 1 { load_scalar(self.support, first, last) } else { real(1.0) }
+    pub(crate) fn supports_of<R: Lanes>(&self, setup: &Setup<'_>, slots: &Slots) -> R {
+        if setup.model.variable_support == 0 {
+            return real(1.0);
+        }
+        R::from_lanes(|lane| self.support[slots.lane(lane)])
     }
 
-    /// That of particle `b`, in every lane.
+    /// What closes the density of receivers `first ..= last`.
     #[inline(always)]
-    pub(crate) fn support_of<R: Real>(&self, setup: &Setup<'_>, b: usize) -> R {
-        real(if setup.model.variable_support == 1 { self.support[b] } else { 1.0 })
-    }
-
-    /// What closes the density of particles `first ..= last`.
-    #[inline(always)]
-    pub(crate) fn stiffness<R: Real>(&self, setup: &Setup<'_>, first: usize, last: usize) -> Stiffness<R> {
+    pub(crate) fn stiffness<R: Lanes>(&self, setup: &Setup<'_>, first: usize, last: usize) -> Stiffness<R> {
         let materials = setup.materials;
-        let row = |rows: &MaterialRows, i: usize| row_of::<R>(setup.model, rows, self.velocity, first, last, i);
+        let row = |rows: &MaterialRows, i: usize| {
+            if setup.model.species == 0 {
+                return real(rows[0][i]);
+            }
+            R::from_lanes(|lane| rows[kind(self.velocity[(first + lane / R::NEIGHBOURS).min(last)][3])][i])
+        };
         Stiffness {
             state: row(&materials.states, 0),
             near: row(&materials.states, 1),
@@ -97,39 +105,74 @@ impl Particles<'_> {
         }
     }
 
-    /// Particle `b` in every lane.
-    #[inline(always)]
-    pub(crate) fn neighbour<R: Real>(&self, setup: &Setup<'_>, b: usize) -> Local<R> {
-        let materials = setup.materials;
-        let x = self.position[b];
-        let v = self.velocity[b];
-        let [deviation, pressure, near_pressure, volume] = self.density_pressure.get(b).copied().unwrap_or_default();
-        let kind = if setup.model.species == 1 { kind(v[3]) } else { 0 };
-        let [viscosity, wall, rest, fluid] = materials.species[kind].map(real);
-        let [.., sound, equation] = materials.states[kind].map(real);
-        Local {
-            position: vec3::splat(x),
-            velocity: vec3::splat(v),
-            support: self.support_of(setup, b),
-            mass: real(x[3]),
-            deviation: real(deviation),
-            pressure: real(pressure),
-            near_pressure: real(near_pressure),
-            volume: real(volume),
-            viscosity,
-            wall,
-            rest,
-            fluid,
-            sound,
-            equation,
-            tension: real(materials.corrections[kind][3]),
-        }
-    }
-
     /// Are all particles `first ..= last` walls', or inactive? Nothing acts on those.
     #[inline(always)]
     pub(crate) fn are_walls(&self, setup: &Setup<'_>, first: usize, last: usize) -> bool {
         let held = setup.model.wall_particles != 0 || setup.model.air == 1;
         held && self.velocity[first..=last].iter().all(|v| is_wall(setup.materials, v[3]))
     }
+}
+
+/// Rows `first ..= last`, each in the lanes of a receiver, the last one repeated to fill up.
+#[inline(always)]
+pub(crate) fn spread<R: Lanes>(rows: &[f32x4], first: usize, last: usize) -> [R; 4] {
+    R::spread(|receiver| &rows[(first + receiver).min(last)])
+}
+
+/// What receivers have in `own` so far.
+#[inline(always)]
+pub(crate) fn own_numbers<R: Lanes>(own: &[f32x4]) -> [R; 4] {
+    spread(own, 0, own.len() - 1)
+}
+
+/// Four zeros.
+#[inline(always)]
+pub(crate) fn nothing<R: Lanes>() -> [R; 4] {
+    [real(0.0); 4]
+}
+
+/// Particles in the lanes, from their numbers and what their materials have of their own.
+#[inline(always)]
+fn local<R: Lanes>(
+    setup: &Setup<'_>,
+    [x, y, z, mass]: [R; 4],
+    [vx, vy, vz, kinds]: [R; 4],
+    [deviation, pressure, near_pressure, volume]: [R; 4],
+    support: R,
+) -> Local<R> {
+    let (materials, columns) = (setup.materials, setup.columns);
+    let of_species = |i: usize| -> R { of_material(setup, &materials.species, &columns.species, kinds, i) };
+    let of_states = |i: usize| -> R { of_material(setup, &materials.states, &columns.states, kinds, i) };
+    Local {
+        position: vec3(x, y, z),
+        velocity: vec3(vx, vy, vz),
+        support,
+        mass,
+        deviation,
+        pressure,
+        near_pressure,
+        volume,
+        viscosity: of_species(0),
+        wall: of_species(1),
+        rest: of_species(2),
+        fluid: of_species(3),
+        sound: of_states(2),
+        equation: of_states(3),
+        tension: of_material(setup, &materials.corrections, &columns.corrections, kinds, 3),
+    }
+}
+
+/// Number `i` of what the materials of these kinds have of their own.
+#[inline(always)]
+pub(crate) fn of_material<R: Lanes>(
+    setup: &Setup<'_>,
+    rows: &MaterialRows,
+    columns: &[Column; 4],
+    kinds: R,
+    i: usize,
+) -> R {
+    if setup.model.species == 0 {
+        return real(rows[0][i]);
+    }
+    if setup.columns.hold_all { R::pick(&columns[i], setup.columns.places(kinds)) } else { of_kinds(rows, kinds, i) }
 }

@@ -2,9 +2,12 @@
 //! device's passes have the same names.
 //!
 //! Loops only load, call a term and store. No job reads what another job of its pass writes.
+pub(crate) mod columns;
 pub(crate) mod context;
 mod field;
+mod group;
 pub(crate) mod lanes;
+mod lists;
 mod local;
 mod pairs;
 
@@ -23,6 +26,7 @@ pub(crate) mod b_sort {
 }
 
 pub(crate) mod c_density {
+    mod candidates;
     pub(crate) mod density;
     pub(crate) mod neighbours;
     pub(crate) mod support;

@@ -64,10 +64,8 @@ macro_rules! with_arrays {
                 cell_members: u32 per Particle, if |m| m.cell_places == 0;
                 /// Slot before the step of each slot after it.
                 source_slot: u32 per Particle, if |_| true;
-                /// Where the list of each block of particles begins, and how long it is; at the block's first slot.
-                neighbour_ranges: u32x2 per Particle, if |_| true;
-                /// Neighbour lists of the blocks.
-                neighbours: u32 per NeighbourEntry, if |_| true;
+                /// Neighbour lists of groups of particles: their ranges, then the codes of the neighbours, two a word.
+                neighbours: u32 per NeighbourWord, if |_| true;
                 /// Density and pressures before the step, in the slots after it. Only where a step needs them.
                 previous_density_pressure: f32x4 per Particle, if |m| m.needs_previous(), from density_pressure@old;
                 /// Support radius of each particle over the scene's. Only where they vary.
@@ -107,8 +105,8 @@ pub enum Unit {
     Cell,
     /// A place of a cell, with cell lists.
     CellPlace,
-    /// An entry of the neighbour lists: a fixed number a particle.
-    NeighbourEntry,
+    /// A word of the neighbour lists: a fixed number a particle.
+    NeighbourWord,
     /// An end of a spring.
     SpringEnd,
     /// A particle, and then each particle of air that there can be.

@@ -1,7 +1,8 @@
 //! First half of the integrator: to where the forces are evaluated. The new slots are not known yet, so the moved particles wait in
 //! the old ones.
+use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::level::Work;
-use crate::arithmetic::real::{Real, real};
+use crate::arithmetic::real::{real};
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::layout::f32x4;
 use crate::memory::State;
@@ -39,7 +40,7 @@ fn work(job: &mut Job<'_>) {
 
 impl Work for &mut Job<'_> {
     #[inline(always)]
-    fn run<R: Real>(self) {
+    fn run<R: Lanes>(self) {
         let Setup { model: m, parameters: p, materials, uniform: u, .. } = self.setup;
         let old = self.old;
         // mass and kind go with them

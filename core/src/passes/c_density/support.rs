@@ -1,6 +1,6 @@
 //! Support radius of each particle from its density before the step. Only with variable supports.
+use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::level::Work;
-use crate::arithmetic::real::Real;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::layout::f32x4;
 use crate::passes::context::{Setup, Step};
@@ -33,7 +33,7 @@ fn work(job: &mut Job<'_>) {
 
 impl Work for &mut Job<'_> {
     #[inline(always)]
-    fn run<R: Real>(self) {
+    fn run<R: Lanes>(self) {
         let count = self.previous.len();
         for first in (0..count).step_by(R::LANES) {
             let end = (first + R::LANES).min(count);

@@ -1,20 +1,21 @@
 //! Acceleration by the curvature of the surface, added to all else. Only with a tension by curvature.
-use crate::arithmetic::real::{Real, real, vec3};
+use crate::arithmetic::lanes::{Lanes, xyz};
+use crate::arithmetic::real::{less, real, select, vec3};
 use crate::executor::Executor;
 use crate::layout::f32x4;
-use crate::passes::context::Step;
-use crate::passes::lanes::{load, load_one, load_own};
-use crate::passes::local::particles;
-use crate::passes::pairs::{self, Block, Job, PairPass, fold, lists};
+use crate::passes::context::{Setup, Step};
+use crate::passes::local::{own_numbers, particles};
+use crate::passes::group::{Group, fold};
+use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::geometry::flush3;
 use crate::terms::tension::{NORMAL_CURVATURE, curvature_of_normals, normal_divergence, tension_close};
 
 /// Adds to the accelerations, or to those without pressure.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
-    let (particles, lists) = (particles!(step), lists!(step));
+    let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
     let corrects = step.setup.model.corrects_pressure();
     let out = if corrects { &mut *step.scratch.non_pressure_acceleration } else { &mut *step.new.acceleration };
-    pairs::run(step.setup, step.executor, particles, lists, &Tension { normal: step.new.normal }, out);
+    pairs::run(step.setup, step.executor, particles, cells, lists, &Tension { normal: step.new.normal }, out);
 }
 
 /// Adds to the accelerations, and leaves the curvature in w.
@@ -27,34 +28,35 @@ impl PairPass for Tension<'_> {
         job.run();
     }
 
+    fn absent(&self, _: &Setup<'_>, _: &mut [f32x4]) {}
+
     #[inline(always)]
-    fn block<R: Real>(&self, block: &Block<'_>, own: &mut [f32x4]) -> u32 {
-        let (setup, particles) = (block.setup, block.particles);
-        let (m, p) = (setup.model, setup.parameters);
-        let (first, last) = (block.first, block.last);
-        if particles.are_walls(setup, first, last) {
+    fn group<R: Lanes>(&self, group: &Group<'_>, own: &mut [f32x4]) -> u32 {
+        let (m, p) = (group.setup.model, group.setup.parameters);
+        let none = real::<R>(0.0);
+        if group.are_walls() {
             return 0;
         }
-        let a = particles.receivers::<R>(setup, first, last);
-        let normal: vec3<R> = load(self.normal, first, last);
+        let a = group.receivers::<R>();
+        let [x, y, z, of_colour] = group.spread::<R>(self.normal);
+        let normal = vec3(x, y, z);
         let curvature = if m.tension == NORMAL_CURVATURE {
-            let nothing = vec3(real::<R>(0.0), real(0.0), real(0.0));
-            let sums = fold!(block, nothing, |sums, index| {
-                let b = particles.neighbour(setup, index);
-                sums + normal_divergence(m, p, a, b, normal, vec3::splat(self.normal[index]))
+            let sums = fold!(group: R, adds nothing to itself, |slots| {
+                let normal_b = xyz(R::gather(self.normal, slots));
+                let vec3 { x, y, z } = normal_divergence(m, p, a, group.neighbours(slots), normal, normal_b);
+                [x, y, z, none]
             });
-            curvature_of_normals(p, normal, sums)
+            curvature_of_normals(p, normal, xyz(sums))
         } else {
-            load_one(self.normal, first, last, 3)
+            of_colour
         };
         let pull = tension_close(m, p, a, normal, curvature);
-        let before = vec3(load_own(own, 0), load_own(own, 1), load_own(own, 2));
-        let all = core::hint::black_box(flush3(before + pull));
-        for (lane, own) in own.iter_mut().enumerate() {
-            if a.wall.lane(lane) == 0.0 {
-                *own = [all.x.lane(lane), all.y.lane(lane), all.z.lane(lane), curvature.lane(lane)];
-            }
-        }
+        let before = own_numbers::<R>(own);
+        let all = flush3(xyz(before) + pull);
+        let is_wall = less(none, a.wall);
+        let [x, y, z, w] = before;
+        let [x, y, z] = [select(all.x, x, is_wall), select(all.y, y, is_wall), select(all.z, z, is_wall)];
+        R::rows([x, y, z, select(curvature, w, is_wall)], own);
         0
     }
 }

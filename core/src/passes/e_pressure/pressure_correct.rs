@@ -1,11 +1,12 @@
 //! One iteration of pressure: how far the next density would miss, and what mends it. Only where pressure is corrected.
-use crate::arithmetic::real::{Real, less, real, select, vec3};
+use crate::arithmetic::lanes::{Lanes, xyz};
+use crate::arithmetic::real::{less, real, select};
 use crate::executor::Executor;
 use crate::layout::f32x4;
-use crate::passes::context::Step;
-use crate::passes::lanes::{is_dormant, load, load_own};
-use crate::passes::local::particles;
-use crate::passes::pairs::{self, Block, Job, PairPass, fold, lists};
+use crate::passes::context::{Setup, Step};
+use crate::passes::local::{own_numbers, particles};
+use crate::passes::group::{Group, fold};
+use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::correction::{density_miss, inverse_correction, predicted_velocity, pressure_corrected, residual};
 use crate::terms::density::{continuity_neighbour, deviation_rate};
 use crate::terms::kernel::if_inside;
@@ -14,9 +15,9 @@ use crate::terms::wall::{MIRRORED, mass_seen};
 
 /// Corrects the pressures, and notes the largest miss.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
-    let (particles, lists) = (particles!(step but density), lists!(step));
+    let (particles, cells, lists) = (particles!(step but density), cells!(step), lists!(step));
     let pass = PressureCorrect { acceleration: step.new.acceleration };
-    let residual = pairs::run(step.setup, step.executor, particles, lists, &pass, step.new.density_pressure);
+    let residual = pairs::run(step.setup, step.executor, particles, cells, lists, &pass, step.new.density_pressure);
     step.found.residual = f32::from_bits(residual);
 }
 
@@ -30,42 +31,42 @@ impl PairPass for PressureCorrect<'_> {
         job.run();
     }
 
+    fn absent(&self, _: &Setup<'_>, _: &mut [f32x4]) {}
+
     #[inline(always)]
-    fn block<R: Real>(&self, block: &Block<'_>, own: &mut [f32x4]) -> u32 {
-        let (setup, particles) = (block.setup, block.particles);
+    fn group<R: Lanes>(&self, group: &Group<'_>, own: &mut [f32x4]) -> u32 {
+        let (setup, particles) = (group.setup, group.particles);
         let (m, p, u, t) = (setup.model, setup.parameters, setup.uniform, setup.tables);
-        let (first, last) = (block.first, block.last);
-        // those of a cell are all of air that is not there, or none
-        let absent = m.air == 1 && is_dormant(setup.materials, particles.velocity[first][3]);
-        if absent || (m.wall_particles == MIRRORED && particles.are_walls(setup, first, last)) {
+        if m.wall_particles == MIRRORED && group.are_walls() {
             return 0;
         }
-        let a = particles.receivers::<R>(setup, first, last);
-        let v_a = predicted_velocity(u, a.velocity, load(self.acceleration, first, last));
-        let rate = fold!(block, real::<R>(0.0), |rate, index| {
-            let b = particles.neighbour::<R>(setup, index);
+        let a = group.receivers::<R>();
+        let none = real::<R>(0.0);
+        let v_a = predicted_velocity(u, a.velocity, xyz(group.spread(self.acceleration)));
+        let [rate, ..] = fold!(group: R, adds nothing to itself, |slots| {
+            let b = group.neighbours::<R>(slots);
             let x_ab = separation(m, p, a.position, b.position);
             let scale = pair_scale(m, a.support, b.support);
-            let v_ab = v_a - predicted_velocity(u, b.velocity, vec3::splat(self.acceleration[index]));
+            let v_ab = v_a - predicted_velocity(u, b.velocity, xyz(R::gather(self.acceleration, slots)));
             let q2 = squared_ratio(m, p, x_ab, scale);
             let mass = mass_seen(m, a.rest, b.mass, b.rest, b.wall);
-            rate + if_inside(q2, continuity_neighbour(m, p, t, x_ab, v_ab, mass, scale))
+            [if_inside(q2, continuity_neighbour(m, p, t, x_ab, v_ab, mass, scale)), none, none, none]
         });
-        let (deviation, before) = (load_own(own, 0), load_own(own, 1));
-        let k = particles.stiffness::<R>(setup, first, last);
+        let [deviation, before, near_pressure, volume] = own_numbers::<R>(own);
+        let k = particles.stiffness::<R>(setup, group.first, group.last);
         let rate = deviation_rate(m, p, rate, a.mass, a.rest);
         let miss = density_miss(m, p, u, before, deviation, rate, k.compressibility);
         let inverse = inverse_correction(u, k.thinning, k.offset);
         let mut after = pressure_corrected(m, before, miss, inverse);
         if m.wall_particles == MIRRORED {
-            after = select(after, real(0.0), less(real(0.0), a.wall));
+            after = select(after, none, less(none, a.wall));
         }
         let left = residual(before, after, inverse);
         let mut largest = 0;
-        for (lane, own) in own.iter_mut().enumerate() {
-            own[1] = after.lane(lane);
-            largest = largest.max(left.lane(lane).to_bits());
+        for receiver in 0..own.len() {
+            largest = largest.max(left.lane(receiver * R::NEIGHBOURS).to_bits());
         }
+        R::rows([deviation, after, near_pressure, volume], own);
         largest
     }
 }

@@ -1,20 +1,21 @@
 //! Acceleration by the pressure of an iteration, added to all else. Only where pressure is corrected.
-use crate::arithmetic::real::{Real, real, vec3};
+use crate::arithmetic::lanes::{Lanes, xyz};
+use crate::arithmetic::real::{real, vec3};
 use crate::executor::Executor;
 use crate::layout::f32x4;
-use crate::passes::context::Step;
-use crate::passes::lanes::{load, store};
+use crate::passes::context::{Setup, Step};
 use crate::passes::local::particles;
-use crate::passes::pairs::{self, Block, Job, PairPass, fold, lists};
+use crate::passes::group::{Group, fold};
+use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::geometry::flush3;
 use crate::terms::neighbour::{acceleration_close, pressure_neighbour};
 use crate::terms::wall::if_free;
 
 /// Fills the accelerations.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
-    let (particles, lists) = (particles!(step), lists!(step));
+    let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
     let pass = PressureForce { free: step.scratch.non_pressure_acceleration };
-    pairs::run(step.setup, step.executor, particles, lists, &pass, step.new.acceleration);
+    pairs::run(step.setup, step.executor, particles, cells, lists, &pass, step.new.acceleration);
 }
 
 /// Makes accelerations of `free`, those without pressure.
@@ -28,23 +29,22 @@ impl PairPass for PressureForce<'_> {
     }
 
     #[inline(always)]
-    fn block<R: Real>(&self, block: &Block<'_>, own: &mut [f32x4]) -> u32 {
-        let (setup, particles) = (block.setup, block.particles);
-        let (m, p, t) = (setup.model, setup.parameters, setup.tables);
-        if particles.are_walls(setup, block.first, block.last) {
+    fn group<R: Lanes>(&self, group: &Group<'_>, own: &mut [f32x4]) -> u32 {
+        let Setup { model: m, parameters: p, tables: t, .. } = *group.setup;
+        if group.are_walls() {
             own.fill([0.0; 4]);
             return 0;
         }
-        let a = particles.receivers::<R>(setup, block.first, block.last);
-        let nothing = vec3(real::<R>(0.0), real(0.0), real(0.0));
-        let force =
-            fold!(block, nothing, |force, b| force + pressure_neighbour(m, p, t, a, particles.neighbour(setup, b)));
-        let free = load::<R>(self.free, block.first, block.last);
-        let all = flush3(free + acceleration_close(m, p, force, a));
-        store(own, core::hint::black_box(if_free(m, all, a.wall)));
-        for (own, free) in own.iter_mut().zip(&self.free[block.first..]) {
-            own[3] = free[3];
-        }
+        let a = group.receivers::<R>();
+        let force = fold!(group: R, adds nothing to itself, |slots| {
+            let vec3 { x, y, z } = pressure_neighbour(m, p, t, a, group.neighbours(slots));
+            [x, y, z, real(0.0)]
+        });
+        let free = group.spread::<R>(self.free);
+        let all = flush3(xyz(free) + acceleration_close(m, p, xyz(force), a));
+        let vec3 { x, y, z } = if_free(m, all, a.wall);
+        let [.., curvature] = free;
+        R::rows([x, y, z, curvature], own);
         0
     }
 }

@@ -1,6 +1,7 @@
 //! Second half of the integrator, then the walls.
+use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::level::Work;
-use crate::arithmetic::real::{Real, real, vec3};
+use crate::arithmetic::real::{real, vec3};
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::layout::f32x4;
 use crate::passes::context::{Setup, Step};
@@ -56,7 +57,7 @@ fn work(job: &mut Job<'_>) {
 
 impl Work for &mut Job<'_> {
     #[inline(always)]
-    fn run<R: Real>(self) {
+    fn run<R: Lanes>(self) {
         let Setup { model: m, parameters: p, materials, uniform: u, .. } = self.setup;
         let count = self.velocity.len();
         for first in (0..count).step_by(R::LANES) {

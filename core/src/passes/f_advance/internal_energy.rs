@@ -1,19 +1,20 @@
 //! Thermal energy of each particle. Only where a scene keeps account of it.
-use crate::arithmetic::real::{Real, real, vec3};
+use crate::arithmetic::lanes::{Lanes, xyz};
+use crate::arithmetic::real::{less, real, select};
 use crate::executor::Executor;
 use crate::layout::f32x4;
-use crate::passes::context::Step;
-use crate::passes::lanes::{is_dormant, is_wall, load, load_own};
-use crate::passes::local::particles;
-use crate::passes::pairs::{self, Block, Job, PairPass, fold, lists};
+use crate::passes::context::{Setup, Step};
+use crate::passes::local::{own_numbers, particles};
+use crate::passes::group::{Group, fold};
+use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::exchange::{exchange_close, exchange_share};
 use crate::terms::heat::{exchange_heat, heat_close, heat_neighbour, heat_stepped};
 
 /// Steps the energies.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
-    let (particles, lists) = (particles!(step), lists!(step));
+    let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
     let pass = InternalEnergy { ahead: step.scratch.end_velocity };
-    pairs::run(step.setup, step.executor, particles, lists, &pass, step.new.internal_energy);
+    pairs::run(step.setup, step.executor, particles, cells, lists, &pass, step.new.internal_energy);
 }
 
 /// Steps entries that are the energy and its rate before the step.
@@ -27,43 +28,39 @@ impl PairPass for InternalEnergy<'_> {
         job.run();
     }
 
+    /// As fresh as whoever is made of it next.
+    fn absent(&self, setup: &Setup<'_>, own: &mut [f32x4]) {
+        own.fill([setup.parameters.air_heat, 0.0, 0.0, 0.0]);
+    }
+
     #[inline(always)]
-    fn block<R: Real>(&self, block: &Block<'_>, own: &mut [f32x4]) -> u32 {
-        let (setup, particles) = (block.setup, block.particles);
-        let (m, p, u, t) = (setup.model, setup.parameters, setup.uniform, setup.tables);
-        let (first, last) = (block.first, block.last);
-        if m.air == 1 && is_dormant(setup.materials, particles.velocity[first][3]) {
-            // as fresh as whoever is made of it next
-            own.fill([p.air_heat, 0.0, 0.0, 0.0]);
+    fn group<R: Lanes>(&self, group: &Group<'_>, own: &mut [f32x4]) -> u32 {
+        let Setup { model: m, parameters: p, uniform: u, tables: t, .. } = *group.setup;
+        if group.are_walls() {
             return 0;
         }
-        if particles.are_walls(setup, first, last) {
-            return 0;
-        }
-        let a = particles.receivers::<R>(setup, first, last);
-        let v_a = load::<R>(self.ahead, first, last);
-        let sum = fold!(block, real::<R>(0.0), |sum, index| {
-            let b = particles.neighbour(setup, index);
-            let v_ab = v_a - vec3::splat(self.ahead[index]);
-            sum + heat_neighbour(m, p, t, a, b, v_ab)
+        let a = group.receivers::<R>();
+        let none = real::<R>(0.0);
+        let v_a = xyz(group.spread::<R>(self.ahead));
+        let [sum, ..] = fold!(group: R, adds nothing to itself, |slots| {
+            let v_ab = v_a - xyz(R::gather(self.ahead, slots));
+            [heat_neighbour(m, p, t, a, group.neighbours(slots), v_ab), none, none, none]
         });
         let mut rate = heat_close(m, p, sum, a);
         if m.exchange == 1 {
-            let (heat, shares) = fold!(block, (real::<R>(0.0), real::<R>(0.0)), |(heat, shares), index| {
-                let b = particles.neighbour(setup, index);
-                let v_ab = v_a - vec3::splat(self.ahead[index]);
-                (heat + exchange_heat(m, p, a, b, v_ab), shares + exchange_share(m, p, a, b))
+            let [heat, shares, ..] = fold!(group: R, |slots| {
+                let b = group.neighbours(slots);
+                let v_ab = v_a - xyz(R::gather(self.ahead, slots));
+                [exchange_heat(m, p, a, b, v_ab), exchange_share(m, p, a, b), none, none]
             });
             rate = rate + heat * exchange_close(u, shares);
         }
-        let energy = heat_stepped(u, load_own(own, 0), load_own(own, 1), rate);
-        for (lane, own) in own.iter_mut().enumerate() {
-            // a wall keeps no account
-            let velocity = particles.velocity[first + lane];
-            if !is_wall(setup.materials, velocity[3]) {
-                *own = [energy.lane(lane), rate.lane(lane), 0.0, 0.0];
-            }
-        }
+        let [energy, rate_before, z, w] = own_numbers::<R>(own);
+        let stepped = heat_stepped(u, energy, rate_before, rate);
+        // a wall keeps no account
+        let is_wall = less(none, a.wall);
+        let of = |before: R, after: R| select(after, before, is_wall);
+        R::rows([of(energy, stepped), of(rate_before, rate), of(z, none), of(w, none)], own);
         0
     }
 }

@@ -1,7 +1,7 @@
 //! Velocities at the end of the step, before there are any. Only for passes over pairs that need them beside those that forces
 //! are evaluated with.
+use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::level::Work;
-use crate::arithmetic::real::Real;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::layout::f32x4;
 use crate::passes::context::{Setup, Step};
@@ -45,7 +45,7 @@ fn work(job: &mut Job<'_>) {
 
 impl Work for &mut Job<'_> {
     #[inline(always)]
-    fn run<R: Real>(self) {
+    fn run<R: Lanes>(self) {
         let (m, u) = (self.setup.model, self.setup.uniform);
         let count = self.ahead.len();
         self.ahead.copy_from_slice(self.velocity);

@@ -1,19 +1,20 @@
 //! XSPH: the velocity that each particle moves with in the next step, beside its own. Only with XSPH.
-use crate::arithmetic::real::{Real, real, vec3};
+use crate::arithmetic::lanes::{Lanes, xyz};
+use crate::arithmetic::real::{real, vec3};
 use crate::executor::Executor;
 use crate::layout::f32x4;
-use crate::passes::context::Step;
-use crate::passes::lanes::{load, store};
+use crate::passes::context::{Setup, Step};
 use crate::passes::local::particles;
-use crate::passes::pairs::{self, Block, Job, PairPass, fold, lists};
+use crate::passes::group::{Group, fold};
+use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::wall::if_free;
 use crate::terms::xsph::{xsph_close, xsph_neighbour};
 
 /// Fills `xsph_velocity`.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
-    let (particles, lists) = (particles!(step), lists!(step));
+    let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
     let pass = Xsph { ahead: step.scratch.end_velocity };
-    pairs::run(step.setup, step.executor, particles, lists, &pass, step.new.xsph_velocity);
+    pairs::run(step.setup, step.executor, particles, cells, lists, &pass, step.new.xsph_velocity);
 }
 
 /// With the velocities at the end of the step.
@@ -27,22 +28,23 @@ impl PairPass for Xsph<'_> {
     }
 
     #[inline(always)]
-    fn block<R: Real>(&self, block: &Block<'_>, own: &mut [f32x4]) -> u32 {
-        let (setup, particles) = (block.setup, block.particles);
-        let (m, p, t) = (setup.model, setup.parameters, setup.tables);
-        if particles.are_walls(setup, block.first, block.last) {
+    fn group<R: Lanes>(&self, group: &Group<'_>, own: &mut [f32x4]) -> u32 {
+        let Setup { model: m, parameters: p, tables: t, .. } = *group.setup;
+        if group.are_walls() {
             own.fill([0.0; 4]);
             return 0;
         }
-        let mut a = particles.receivers::<R>(setup, block.first, block.last);
-        a.velocity = load(self.ahead, block.first, block.last);
-        let nothing = vec3(real::<R>(0.0), real(0.0), real(0.0));
-        let sum = fold!(block, nothing, |sum, index| {
-            let mut b = particles.neighbour::<R>(setup, index);
-            b.velocity = vec3::splat(self.ahead[index]);
-            sum + xsph_neighbour(m, p, t, a, b)
+        let mut a = group.receivers::<R>();
+        a.velocity = xyz(group.spread(self.ahead));
+        let none = real::<R>(0.0);
+        let sum = fold!(group: R, adds nothing to itself, |slots| {
+            let mut b = group.neighbours::<R>(slots);
+            b.velocity = xyz(R::gather(self.ahead, slots));
+            let vec3 { x, y, z } = xsph_neighbour(m, p, t, a, b);
+            [x, y, z, none]
         });
-        store(own, core::hint::black_box(if_free(m, xsph_close(p, sum), a.wall)));
+        let vec3 { x, y, z } = if_free(m, xsph_close(p, xyz(sum)), a.wall);
+        R::rows([x, y, z, none], own);
         0
     }
 }

@@ -1,0 +1,100 @@
+//! Who may be a neighbour of a cell's particles: all in the cells around it, coordinate by coordinate, so that lanes can try them.
+use crate::arithmetic::lanes::Lanes;
+use crate::arithmetic::real::{less, real, vec3};
+use crate::layout::f32x4;
+use crate::passes::context::Setup;
+use crate::terms::pair::{pair_scale, separation, squared_ratio};
+use core::ops::Range;
+
+/// Most candidates of a cell; one with more is not listed.
+const MOST: usize = 1024;
+
+/// Room beyond the last candidate, for lanes that are not all in use.
+const SPARE: usize = 16;
+
+/// Where the lanes that are not in use are: no distance from there is small.
+const FAR: f32 = f32::INFINITY;
+
+/// The candidates of a cell, in the order of the sums.
+#[repr(align(64))]
+pub(crate) struct Candidates {
+    x: [f32; MOST + SPARE],
+    y: [f32; MOST + SPARE],
+    z: [f32; MOST + SPARE],
+    support: [f32; MOST + SPARE],
+    code: [u32; MOST + SPARE],
+    count: usize,
+    is_complete: bool,
+}
+
+impl Candidates {
+    /// None.
+    pub(crate) fn none() -> Candidates {
+        let empty = [0.0; MOST + SPARE];
+        Candidates { x: empty, y: empty, z: empty, support: empty, code: [0; MOST + SPARE], count: 0, is_complete: false }
+    }
+
+    /// Forgets all.
+    pub(crate) fn clear(&mut self) {
+        self.count = 0;
+        self.is_complete = false;
+    }
+
+    /// Are all of a cell among them?
+    pub(crate) fn are_complete(&self) -> bool {
+        self.is_complete
+    }
+
+    /// Adds a run of slots, whose codes are so much larger. False where there is no room.
+    #[inline(always)]
+    pub(crate) fn add<R: Lanes>(&mut self, position: &[f32x4], support: &[f32], run: Range<usize>, shift: u32) -> bool {
+        let (first, count) = (self.count, run.len());
+        if count > MOST - first {
+            return false;
+        }
+        let last = position.len() - 1;
+        for offset in (0..count).step_by(R::LANES) {
+            let (from, to) = (run.start + offset, first + offset);
+            // what is beyond the run is overwritten by the next one
+            let [x, y, z, _] = R::load(|lane| &position[(from + lane).min(last)]);
+            x.write(&mut self.x[to..]);
+            y.write(&mut self.y[to..]);
+            z.write(&mut self.z[to..]);
+        }
+        for (code, slot) in self.code[first..first + count].iter_mut().zip(run.start as u32..) {
+            *code = slot.wrapping_add(shift);
+        }
+        if !support.is_empty() {
+            self.support[first..first + count].copy_from_slice(&support[run]);
+        }
+        self.count += count;
+        true
+    }
+
+    /// After the last run.
+    pub(crate) fn close(&mut self) {
+        self.is_complete = true;
+        self.x[self.count..self.count + SPARE].fill(FAR);
+    }
+
+    /// Writes the codes of the neighbours of a particle at `x`; returns how many. Where there are more than there is room for, it returns
+    /// a number beyond that.
+    #[inline(always)]
+    pub(crate) fn near<R: Lanes>(&self, setup: &Setup<'_>, x: f32x4, support: f32, codes: &mut [u32]) -> usize {
+        let (m, p) = (setup.model, setup.parameters);
+        let x_a = vec3::<R>::splat(x);
+        let lanes = self.count.next_multiple_of(R::LANES);
+        let mut used = 0;
+        for at in (0..lanes).step_by(R::LANES) {
+            if codes.len() < used + R::LANES {
+                return codes.len();
+            }
+            let x_b = vec3(R::read(&self.x[at..]), R::read(&self.y[at..]), R::read(&self.z[at..]));
+            let support_b = if m.variable_support == 1 { R::read(&self.support[at..]) } else { real(1.0) };
+            let scale = pair_scale(m, real(support), support_b);
+            let q2 = squared_ratio(m, p, separation(m, p, x_a, x_b), scale);
+            used = R::append(codes, used, &self.code[at..], less(q2, real(1.0)));
+        }
+        used
+    }
+}

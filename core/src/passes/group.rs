@@ -1,0 +1,200 @@
+//! Receivers side by side, and the walk over their neighbours: from the lists, or where those did not fit by a search of the cells.
+use super::context::Setup;
+use super::lanes::is_wall;
+use super::lists::{GROUP, Listed, Lists};
+use super::local::{Particles, spread};
+use crate::arithmetic::lanes::{Lanes, MOST_LANES, Slots};
+use crate::arithmetic::real::{less, real, select, vec3};
+use crate::layout::f32x4;
+use crate::grid::{Cells, Stencil, cell_of};
+use crate::terms::pair::{Local, pair_scale, separation, squared_ratio};
+use crate::terms::wall::MIRRORED;
+
+/// Where a group stands, for the search of its cells. It is memory of its own: what a function gets that is not compiled into its caller, the
+/// compiler cannot take for constant any more.
+#[derive(Clone, Copy)]
+pub(crate) struct Surroundings<'a> {
+    pub setup: Setup<'a>,
+    pub particles: Particles<'a>,
+    pub cells: Cells<'a>,
+}
+
+/// As many particles, side by side from `first` on, as the lanes hold receivers.
+#[derive(Clone, Copy)]
+pub(crate) struct Group<'a> {
+    pub setup: &'a Setup<'a>,
+    pub particles: Particles<'a>,
+    pub lists: Lists<'a>,
+    pub surroundings: &'a Surroundings<'a>,
+    pub first: usize,
+    pub last: usize,
+}
+
+/// Folds what the neighbours of a group add: four sums a receiver, each in the order of its neighbours, in all of the receiver's lanes. Where
+/// a particle `adds nothing to itself`, but zeros, the lanes that hold no pair need no mask.
+///
+/// A macro, since a closure cannot be told to be compiled into its caller, at its caller's SIMD level.
+macro_rules! fold {
+    ($group:ident: $R:ident, |$slots:ident| $parts:expr) => {
+        $crate::passes::group::fold!(@ $group: $R, true, |$slots| $parts)
+    };
+    ($group:ident: $R:ident, adds nothing to itself, |$slots:ident| $parts:expr) => {
+        $crate::passes::group::fold!(@ $group: $R, false, |$slots| $parts)
+    };
+    (@ $group:ident: $R:ident, $is_masked:literal, |$slots:ident| $parts:expr) => {{
+        let mut sums = <$R>::nothing();
+        let mut walk = $crate::passes::group::Walk::<$R>::of($group);
+        while let Some(slots) = walk.next() {
+            let $slots = &slots;
+            let parts: [$R; 4] = $parts;
+            sums = <$R>::add_up(sums, if $is_masked { walk.listed(parts) } else { parts });
+        }
+        <$R>::sums(sums)
+    }};
+}
+pub(crate) use fold;
+
+impl<'a> Group<'a> {
+    /// What the pair terms know of the receivers.
+    #[inline(always)]
+    pub(crate) fn receivers<R: Lanes>(&self) -> Local<R> {
+        self.particles.receivers(self.setup, self.first, self.last)
+    }
+
+    /// And of the neighbours in the lanes.
+    #[inline(always)]
+    pub(crate) fn neighbours<R: Lanes>(&self, slots: &Slots) -> Local<R> {
+        self.particles.neighbours(self.setup, slots)
+    }
+
+    /// Four numbers of the receivers, each in all of its lanes.
+    #[inline(always)]
+    pub(crate) fn spread<R: Lanes>(&self, rows: &[f32x4]) -> [R; 4] {
+        spread(rows, self.first, self.last)
+    }
+
+    /// Are all of them walls', or inactive? Nothing acts on those.
+    #[inline(always)]
+    pub(crate) fn are_walls(&self) -> bool {
+        self.particles.are_walls(self.setup, self.first, self.last)
+    }
+
+}
+
+/// Where the search of each receiver's cells stands: its run, and the slot in it.
+type Cursors = [(usize, usize); GROUP];
+
+/// A walk over the neighbours of a group.
+pub(crate) struct Walk<'a, R> {
+    surroundings: &'a Surroundings<'a>,
+    first: usize,
+    last: usize,
+    particles: usize,
+    /// The codes from the group's first receiver on.
+    listed: Option<Listed<'a>>,
+    /// The next of them.
+    next: usize,
+    cursors: Cursors,
+    /// Of the lanes: the how manieth neighbour of its receiver, and how many that has.
+    place: R,
+    count: R,
+}
+
+impl<'a, R: Lanes> Walk<'a, R> {
+    /// From the first neighbours on.
+    #[inline(always)]
+    pub(crate) fn of(group: &Group<'a>) -> Self {
+        let receiver = group.first % GROUP;
+        let mut listed = group.lists.of(group.first / GROUP);
+        let mut count = real(0.0);
+        if let Some(lists) = &mut listed {
+            lists.codes = lists.codes.get(receiver * GROUP..).unwrap_or_default();
+            let counts = lists.counts;
+            count = R::from_lanes(|lane| f32::from(counts[(receiver + lane / R::NEIGHBOURS) % GROUP]));
+        }
+        let place = R::from_lanes(|lane| (lane % R::NEIGHBOURS) as f32 - R::NEIGHBOURS as f32);
+        let Group { surroundings, first, last, .. } = *group;
+        let particles = group.particles.position.len();
+        Walk { surroundings, first, last, particles, listed, next: 0, cursors: [(0, 0); GROUP], place, count }
+    }
+
+    /// The next neighbours.
+    #[inline(always)]
+    pub(crate) fn next(&mut self) -> Option<Slots> {
+        self.place = self.place + R::NEIGHBOURS as f32;
+        let particles = self.particles;
+        let Some(listed) = &self.listed else {
+            let lanes = [R::RECEIVERS, R::NEIGHBOURS];
+            let found = search(self.surroundings, [self.first, self.last], &mut self.cursors, lanes)?;
+            self.place = R::from_lanes(|lane| (lane % R::NEIGHBOURS) as f32);
+            self.count = R::from_lanes(|lane| found.counts[lane / R::NEIGHBOURS] as f32);
+            return Some(Slots::new::<R>(found.slots, particles));
+        };
+        let codes = listed.codes.get(self.next..)?;
+        if codes.len() < R::LANES {
+            return None;
+        }
+        if R::NEIGHBOURS == 4 {
+            self.next += 4 * GROUP;
+        } else {
+            self.next += if self.next % 4 == 3 { 4 * GROUP - 3 } else { 1 };
+        }
+        Some(Slots::new::<R>(R::slots(codes, listed.windows), particles))
+    }
+
+    /// Zeros in the lanes that hold no pair.
+    #[inline(always)]
+    pub(crate) fn listed(&self, [x, y, z, w]: [R; 4]) -> [R; 4] {
+        let none = real(0.0);
+        let of_list = less(self.place, self.count);
+        [select(none, x, of_list), select(none, y, of_list), select(none, z, of_list), select(none, w, of_list)]
+    }
+}
+
+/// The next neighbours of each receiver.
+struct Found {
+    slots: [u32; MOST_LANES],
+    counts: [usize; GROUP],
+}
+
+/// Finds the next few neighbours of each receiver in its cells; nothing where none is left.
+#[cold]
+#[inline(never)]
+fn search(
+    surroundings: &Surroundings<'_>,
+    [first, last]: [usize; 2],
+    cursors: &mut Cursors,
+    [receivers, neighbours]: [usize; 2],
+) -> Option<Found> {
+    let Surroundings { setup, particles, cells } = *surroundings;
+    let Setup { model: m, parameters: p, materials, .. } = setup;
+    let support = |slot: usize| if m.variable_support == 1 { particles.support[slot] } else { 1.0 };
+    let mut found = Found { slots: [first as u32; MOST_LANES], counts: [0; GROUP] };
+    for (receiver, cursor) in cursors.iter_mut().enumerate().take(receivers.min(last + 1 - first)) {
+        let a = first + receiver;
+        let own = &mut found.slots[receiver * neighbours..][..neighbours];
+        own.fill(a as u32);
+        if m.wall_particles == MIRRORED && is_wall(materials, particles.velocity[a][3]) {
+            continue;
+        }
+        let Ok(cell) = cell_of(p, particles.position[a]) else { continue };
+        let stencil = Stencil::around(p, m.layers as i32, cells, cell as usize);
+        let x_a = vec3::<f32>::splat(particles.position[a]);
+        let count = &mut found.counts[receiver];
+        'search: for run in stencil.runs().skip(cursor.0) {
+            for b in run.start.max(cursor.1)..run.end {
+                let x_ab = separation(m, p, x_a, vec3::splat(particles.position[b]));
+                if squared_ratio(m, p, x_ab, pair_scale(m, support(a), support(b))) < 1.0 {
+                    if *count == neighbours {
+                        cursor.1 = b;
+                        break 'search;
+                    }
+                    own[*count] = b as u32;
+                    *count += 1;
+                }
+            }
+            *cursor = (cursor.0 + 1, 0);
+        }
+    }
+    (found.counts != [0; GROUP]).then_some(found)
+}

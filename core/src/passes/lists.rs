@@ -1,0 +1,191 @@
+//! How the neighbours of a group of four particles lie in memory: a range for each group, then the codes of all.
+//!
+//! The codes of a group stand as they are read: four neighbours of its first particle, four of the second, of the third and of the fourth,
+//! then the next four of each. A list that is shorter than the longest of the four is filled up with the particle itself. A code of
+//! 16 bits is a window of slots and a place in it; the first slots of the windows stand before the codes of the first group that
+//! uses them. A group whose lists do not fit is not listed, and searches its cells in every pass.
+use crate::arithmetic::lanes::{WINDOW_BITS, WINDOWS, Windows};
+use core::ops::Range;
+
+/// Particles of a group, side by side in their slots.
+pub(crate) const GROUP: usize = 4;
+
+/// Most neighbours that are listed of a particle.
+pub(crate) const MOST_LISTED: usize = 240;
+
+/// Codes that a group's lists grow by: four for each of its particles.
+pub(crate) const CHUNK: usize = 16;
+
+/// Words of a range: where the codes begin, in chunks; where their windows stand, likewise; the longest list; the length of each in a
+/// byte.
+const RANGE: usize = 4;
+
+/// Length of a list that there is not.
+const NOT_LISTED: u32 = u32::MAX;
+
+/// Groups of so many particles.
+pub(crate) fn groups(particles: usize) -> usize {
+    particles.div_ceil(GROUP)
+}
+
+/// The memory of the lists in its two parts; no ranges where there is no memory even for those.
+fn parts(memory: &[u32], particles: usize) -> (&[[u32; RANGE]], &[u16]) {
+    let (ranges, codes) = memory.split_at_checked(RANGE * groups(particles)).unwrap_or((&[], &[]));
+    (ranges.as_chunks().0, bytemuck::cast_slice(codes))
+}
+
+/// The lists, to be read.
+#[derive(Clone, Copy)]
+pub(crate) struct Lists<'a> {
+    ranges: &'a [[u32; RANGE]],
+    codes: &'a [u16],
+}
+
+/// The lists of a group.
+#[derive(Clone, Copy)]
+pub(crate) struct Listed<'a> {
+    /// The codes, chunk by chunk.
+    pub codes: &'a [u16],
+    /// What they refer to.
+    pub windows: &'a Windows,
+    /// How many neighbours each particle has.
+    pub counts: [u8; GROUP],
+}
+
+impl<'a> Lists<'a> {
+    /// Those in this memory.
+    pub(crate) fn new(memory: &'a [u32], particles: usize) -> Lists<'a> {
+        let (ranges, codes) = parts(memory, particles);
+        Lists { ranges, codes }
+    }
+
+    /// Those of a group; none where it is not listed.
+    #[inline(always)]
+    pub(crate) fn of(&self, group: usize) -> Option<Listed<'a>> {
+        let [begin, windows, longest, counts] = *self.ranges.get(group)?;
+        let codes = self.codes.get(begin as usize * CHUNK..)?.get(..(longest as usize).checked_mul(GROUP)?)?;
+        let windows = self.codes.get(windows as usize * CHUNK..)?.get(..CHUNK)?;
+        let windows = bytemuck::try_from_bytes(bytemuck::cast_slice(windows)).ok()?;
+        Some(Listed { codes, windows, counts: counts.to_le_bytes() })
+    }
+}
+
+/// A share of the lists, to be filled group by group.
+pub(crate) struct Filling<'a> {
+    ranges: &'a mut [[u32; RANGE]],
+    codes: &'a mut [u16],
+    /// Chunks of other shares before this one.
+    chunks_before: usize,
+    /// Chunks of it that are filled.
+    filled: usize,
+    windows: Windows,
+    /// How many of them are in use.
+    used: usize,
+    /// Where they were written; nowhere yet where they are new.
+    written: Option<usize>,
+}
+
+/// The memory of the lists in shares of so many groups each.
+pub(crate) fn share<'a>(
+    memory: &'a mut [u32],
+    particles: usize,
+    shares: impl Iterator<Item = Range<usize>>,
+) -> impl Iterator<Item = (Range<usize>, Filling<'a>)> {
+    let all = groups(particles);
+    let (ranges, codes) = memory.split_at_mut_checked(RANGE * all).unwrap_or((&mut [], &mut []));
+    let mut ranges = ranges.as_chunks_mut().0;
+    let mut codes: &mut [u16] = bytemuck::cast_slice_mut(codes);
+    let chunks = codes.len() / CHUNK;
+    let mut chunks_before = 0;
+    shares.map(move |groups| {
+        // each share's part of the codes is in proportion to its groups
+        let until = (chunks as u64 * groups.end as u64 / all.max(1) as u64) as usize;
+        let filling = Filling {
+            ranges: ranges.split_off_mut(..groups.len()).unwrap_or_default(),
+            codes: codes.split_off_mut(..(until - chunks_before) * CHUNK).unwrap_or_default(),
+            chunks_before,
+            filled: 0,
+            windows: [0; WINDOWS],
+            used: 0,
+            written: None,
+        };
+        chunks_before = until;
+        (groups, filling)
+    })
+}
+
+impl Filling<'_> {
+    /// What a slot of this run differs by from its code, in a window that there is or a new one; nothing where there is no more room for one.
+    #[inline(always)]
+    pub(crate) fn shift(&mut self, run: &Range<usize>) -> Option<u32> {
+        let (first, last) = (run.start as u32, run.end.max(1) as u32 - 1);
+        let within = |start: u32, slot: u32| slot.wrapping_sub(start) < 1 << WINDOW_BITS;
+        for (i, &start) in self.windows[..self.used].iter().enumerate() {
+            if within(start, first) && within(start, last) {
+                return Some(((i as u32) << WINDOW_BITS).wrapping_sub(start));
+            }
+        }
+        if self.used == WINDOWS || !within(first, last) {
+            return None;
+        }
+        self.windows[self.used] = first;
+        self.used += 1;
+        self.written = None;
+        self.shift(run)
+    }
+
+    /// Forgets the windows.
+    pub(crate) fn reset(&mut self) {
+        self.used = 0;
+        self.written = None;
+    }
+
+    /// Lists a group, of which `codes` are those of its particles, or, `fits` being false, does not.
+    #[inline(always)]
+    pub(crate) fn push(
+        &mut self,
+        group: usize,
+        fits: bool,
+        codes: &mut [[u32; MOST_LISTED + CHUNK]; GROUP],
+        counts: [usize; GROUP],
+        own: [u32; GROUP],
+    ) {
+        let Some(range) = self.ranges.get_mut(group) else { return };
+        *range = [0, 0, NOT_LISTED, 0];
+        let longest = counts.into_iter().max().unwrap_or(0).next_multiple_of(GROUP);
+        let needed = longest / GROUP + usize::from(self.written.is_none());
+        if !fits || longest > MOST_LISTED || self.codes.len() < (self.filled + needed) * CHUNK {
+            return;
+        }
+        let windows = match self.written {
+            Some(at) => at,
+            None => {
+                let at = self.filled;
+                self.codes[at * CHUNK..][..CHUNK].copy_from_slice(bytemuck::cast_slice(&self.windows));
+                self.written = Some(at);
+                self.filled += 1;
+                at
+            }
+        };
+        for ((codes, count), own) in codes.iter_mut().zip(counts).zip(own) {
+            // no more than to the end of the longest, but a number of entries that the compiler knows
+            let mut from = count;
+            while from < longest {
+                codes[from..][..CHUNK].fill(own);
+                from += CHUNK;
+            }
+        }
+        let chunks = &mut self.codes[self.filled * CHUNK..][..longest * GROUP];
+        let (chunks, _) = chunks.as_chunks_mut::<CHUNK>();
+        for (k, chunk) in chunks.iter_mut().enumerate() {
+            for (own, codes) in chunk.as_chunks_mut::<GROUP>().0.iter_mut().zip(&*codes) {
+                let four = &codes[GROUP * k..][..GROUP];
+                *own = [four[0] as u16, four[1] as u16, four[2] as u16, four[3] as u16];
+            }
+        }
+        let before = self.chunks_before;
+        let counts = counts.map(|count| count as u8);
+        *range = [(before + self.filled) as u32, (before + windows) as u32, longest as u32, u32::from_le_bytes(counts)];
+        self.filled += chunks.len();
+    }
+}
