@@ -37,6 +37,13 @@ pub trait Executor {
 
     /// Does `work` once for each of `jobs`, in any order, and returns when all are done.
     fn run<J: Send>(&self, jobs: &mut [J], work: impl Fn(&mut J) + Sync);
+
+    /// Does `step`, which is a whole time step and calls [`Executor::run`] for each of its passes. The default does it on the calling
+    /// thread. Where handing jobs to a pool from outside costs more than from one of its own threads, do it on one of those: a step
+    /// then enters the pool once, and not in every pass.
+    fn enter<T: Send>(&self, step: impl FnOnce(&Self) -> T + Send) -> T {
+        step(self)
+    }
 }
 
 /// One job after the other, on the calling thread.

@@ -137,7 +137,19 @@ impl<'m> Solver<'m> {
     ///
     /// # Errors
     /// As for [`Solver::step`].
-    pub fn step_observed(&mut self, executor: &impl Executor, begins: &mut dyn FnMut(Pass)) -> Result<(), StepError> {
+    pub fn step_observed(
+        &mut self,
+        executor: &impl Executor,
+        begins: &mut (dyn FnMut(Pass) + Send),
+    ) -> Result<(), StepError> {
+        executor.enter(|executor| self.step_inside(executor, begins))
+    }
+
+    fn step_inside(
+        &mut self,
+        executor: &impl Executor,
+        begins: &mut (dyn FnMut(Pass) + Send),
+    ) -> Result<(), StepError> {
         let (model, schedule) = (self.plan.model, self.schedule.clone());
         let (mut constants, mut clock) = (self.constants, self.clock);
         for _ in 0..MOST_ATTEMPTS {
@@ -191,7 +203,7 @@ impl<'m> Solver<'m> {
         constants: &Constants,
         field: Option<&[f32x4]>,
         commands: &[Command],
-        begins: &mut dyn FnMut(Pass),
+        begins: &mut (dyn FnMut(Pass) + Send),
     ) -> Result<Found, StepError> {
         let Arrays { states: [a, b], scratch, given } = &mut self.memory;
         let (tables, field) = (&*given.kernel_tables, field.unwrap_or(given.acceleration_field));

@@ -10,7 +10,7 @@ use crate::plan::schedule::{Command, interpret};
 pub(crate) fn run(
     step: &mut Step<'_, '_, impl Executor>,
     commands: &[Command],
-    begins: &mut dyn FnMut(Pass),
+    begins: &mut (dyn FnMut(Pass) + Send),
 ) -> Result<(), StepError> {
     let mut run = |command: Command| {
         if let Some(pass) = command.pass() {

@@ -1,5 +1,5 @@
 //! What a vector of blocks of four lanes can do, beside arithmetic.
-use super::lanes::{FEW, MOST_LANES, Windows};
+use super::lanes::{FEW, Offsets, Windows};
 use super::real::Real;
 use crate::layout::f32x4;
 
@@ -23,10 +23,10 @@ pub(crate) trait Blocks: Real {
     fn read_lanes(from: &[f32]) -> Self;
     /// As [`Lanes::write`](super::lanes::Lanes::write).
     fn write_lanes(self, to: &mut [f32]);
-    /// As [`Lanes::slots`](super::lanes::Lanes::slots).
-    fn decode(codes: &[u16], windows: &Windows) -> [u32; MOST_LANES];
+    /// As [`Lanes::decode`](super::lanes::Lanes::decode).
+    fn decode_lanes(codes: &[u16], windows: &Windows, offsets: &mut Offsets, limit: u32) -> bool;
     /// As [`Lanes::append`](super::lanes::Lanes::append).
-    fn compress(out: &mut [u32], used: usize, numbers: &[u32], mask: Self::Mask) -> usize;
+    fn compress(to: (&mut [u32], &mut [f32]), used: usize, codes: &[u32], numbers: Self, mask: Self::Mask) -> usize;
     /// As [`Lanes::pick`](super::lanes::Lanes::pick).
     fn permute(column: &[f32; FEW], index: Self) -> Self;
 }

@@ -21,33 +21,60 @@ pub(crate) type Windows = [u32; WINDOWS];
 pub(crate) const FEW: usize = 16;
 
 /// The slot of a particle for each lane, all of them below the number of particles.
-#[derive(Clone, Copy)]
-#[repr(align(64))]
 pub(crate) struct Slots {
-    slot: [u32; MOST_LANES],
+    /// In bytes of rows.
+    offsets: Offsets,
     particles: usize,
 }
 
+/// Bytes from the first row to that of each lane.
+#[derive(Clone, Copy)]
+#[repr(align(64))]
+pub(crate) struct Offsets(pub [u32; MOST_LANES]);
+
+/// Bits that a slot is moved by to make an offset of it: a row has 16 bytes.
+pub(crate) const ROW_BITS: u32 = size_of::<f32x4>().ilog2();
+
 impl Slots {
-    /// Slots of so many lanes.
+    /// The first particle in all lanes.
+    #[inline(always)]
+    pub(crate) fn first(particles: usize) -> Slots {
+        assert!(particles > 0 && particles < 1 << (u32::BITS - ROW_BITS), "offsets have 32 bits");
+        Slots { offsets: Offsets([0; MOST_LANES]), particles }
+    }
+
+    /// Those that the codes of as many lanes as `R` has stand for.
     ///
     /// # Panics
     /// Where one is no particle's.
     #[inline(always)]
-    pub(crate) fn new<R: Real>(slot: [u32; MOST_LANES], particles: usize) -> Slots {
-        let limit = particles.min(u32::MAX as usize) as u32;
-        let mut all = true;
-        for slot in &slot[..R::LANES] {
-            all &= *slot < limit;
-        }
-        assert!(all, "a list names a particle that there is not");
-        Slots { slot, particles }
+    pub(crate) fn decode<R: Lanes>(&mut self, codes: &[u16], windows: &Windows) {
+        assert!(R::decode(codes, windows, &mut self.offsets, self.particles as u32), "a list names nobody");
+    }
+
+    /// These.
+    ///
+    /// # Panics
+    /// Where one is no particle's.
+    pub(crate) fn set(&mut self, slots: &[u32; MOST_LANES]) {
+        assert!(slots.iter().all(|&slot| (slot as usize) < self.particles), "a search found nobody");
+        self.offsets = Offsets(slots.map(|slot| slot << ROW_BITS));
+    }
+
+    #[inline(always)]
+    #[expect(
+        unsafe_code,
+        reason = "to be read from memory, where a vector was stored: lanes taken out of its register are slower"
+    )]
+    fn offset(&self, lane: usize) -> usize {
+        // SAFETY: it is a number that this value owns
+        unsafe { core::ptr::from_ref(&self.offsets.0[lane]).read_volatile() as usize }
     }
 
     /// That of a lane.
     #[inline(always)]
-    pub(crate) fn lane(&self, i: usize) -> usize {
-        self.slot[i] as usize
+    pub(crate) fn lane(&self, lane: usize) -> usize {
+        self.offset(lane) >> ROW_BITS
     }
 
     /// The row of each lane's particle.
@@ -55,8 +82,8 @@ impl Slots {
     #[expect(unsafe_code, reason = "a bound to check a lane and array would cost a fifth of a step")]
     pub(crate) fn row<'r>(&self, rows: &'r [f32x4], lane: usize) -> &'r f32x4 {
         assert!(self.particles <= rows.len());
-        // SAFETY: `new` has seen that each slot is below `particles`, of which there are rows.
-        unsafe { rows.get_unchecked(self.slot[lane] as usize) }
+        // SAFETY: all that fills the offsets has seen that each slot is below `particles`, of which there are rows.
+        unsafe { &*rows.as_ptr().byte_add(self.offset(lane)) }
     }
 }
 
@@ -87,14 +114,17 @@ pub(crate) trait Lanes: Real {
     /// The sums of each receiver, in all of its lanes.
     fn sums(sums: Self::Sums) -> [Self; 4];
 
+    /// As many numbers of each receiver as it has neighbours in the lanes.
+    fn numbers<'r>(of: impl Fn(usize) -> &'r [f32]) -> Self;
     /// Numbers side by side in memory.
     fn read(from: &[f32]) -> Self;
     /// Numbers side by side into memory.
     fn write(self, to: &mut [f32]);
-    /// The slots that codes stand for.
-    fn slots(codes: &[u16], windows: &Windows) -> [u32; MOST_LANES];
-    /// Appends the numbers of the lanes where the mask holds; returns how many there are then. There must be room for all lanes.
-    fn append(out: &mut [u32], used: usize, numbers: &[u32], mask: Self::Mask) -> usize;
+    /// Fills in the slots that codes stand for. False where one is not below the limit.
+    fn decode(codes: &[u16], windows: &Windows, offsets: &mut Offsets, limit: u32) -> bool;
+    /// Appends those of the codes and numbers in whose lanes the mask holds; returns how many there are then. There must be room for all
+    /// lanes.
+    fn append(to: (&mut [u32], &mut [f32]), used: usize, codes: &[u32], numbers: Self, mask: Self::Mask) -> usize;
     /// Entries of a column, by a whole number below its length.
     fn pick(column: &[f32; FEW], index: Self) -> Self;
 }
@@ -150,6 +180,10 @@ impl Lanes for f32 {
         sums
     }
     #[inline(always)]
+    fn numbers<'r>(of: impl Fn(usize) -> &'r [f32]) -> f32 {
+        of(0)[0]
+    }
+    #[inline(always)]
     fn read(from: &[f32]) -> f32 {
         from[0]
     }
@@ -158,12 +192,15 @@ impl Lanes for f32 {
         to[0] = self;
     }
     #[inline(always)]
-    fn slots(codes: &[u16], windows: &Windows) -> [u32; MOST_LANES] {
-        [slot(codes[0], windows); MOST_LANES]
+    fn decode(codes: &[u16], windows: &Windows, offsets: &mut Offsets, limit: u32) -> bool {
+        let slot = slot(codes[0], windows);
+        offsets.0[0] = slot << ROW_BITS;
+        slot < limit
     }
     #[inline(always)]
-    fn append(out: &mut [u32], used: usize, numbers: &[u32], mask: bool) -> usize {
-        out[used] = numbers[0];
+    fn append(to: (&mut [u32], &mut [f32]), used: usize, codes: &[u32], number: f32, mask: bool) -> usize {
+        to.0[used] = codes[0];
+        to.1[used] = number;
         used + usize::from(mask)
     }
     #[inline(always)]
@@ -241,6 +278,10 @@ impl<R: Blocks> Lanes for R {
         [sums.first(), sums.second(), sums.third(), sums.fourth()]
     }
     #[inline(always)]
+    fn numbers<'r>(of: impl Fn(usize) -> &'r [f32]) -> R {
+        R::of_rows(|block| of(block).first_chunk().unwrap_or(&[0.0; 4]))
+    }
+    #[inline(always)]
     fn read(from: &[f32]) -> R {
         R::read_lanes(from)
     }
@@ -249,12 +290,12 @@ impl<R: Blocks> Lanes for R {
         self.write_lanes(to);
     }
     #[inline(always)]
-    fn slots(codes: &[u16], windows: &Windows) -> [u32; MOST_LANES] {
-        R::decode(codes, windows)
+    fn decode(codes: &[u16], windows: &Windows, offsets: &mut Offsets, limit: u32) -> bool {
+        R::decode_lanes(codes, windows, offsets, limit)
     }
     #[inline(always)]
-    fn append(out: &mut [u32], used: usize, numbers: &[u32], mask: R::Mask) -> usize {
-        R::compress(out, used, numbers, mask)
+    fn append(to: (&mut [u32], &mut [f32]), used: usize, codes: &[u32], numbers: R, mask: R::Mask) -> usize {
+        R::compress(to, used, codes, numbers, mask)
     }
     #[inline(always)]
     fn pick(column: &[f32; FEW], index: R) -> R {

@@ -80,11 +80,11 @@ fn run_by<R: Lanes, W: Work>(work: W) {
 #[inline]
 #[expect(unsafe_code, reason = "a function for AVX2 can only be called where the processor has it")]
 fn run_avx2<W: Work>(work: W) {
-    #[target_feature(enable = "avx2")]
+    #[target_feature(enable = "avx2,popcnt,bmi1,bmi2,lzcnt")]
     fn vector<W: Work>(work: W) {
         work.run::<super::x86::Avx>();
     }
-    // SAFETY: `Solver` takes its level through `or_best`, which grants AVX2 only where cpuid and xgetbv show it.
+    // SAFETY: `Solver` takes its level through `or_best`, which grants AVX2 only where cpuid and xgetbv show all that is enabled here.
     unsafe { vector(work) }
 }
 
@@ -146,9 +146,11 @@ fn extensions() -> [bool; 2] {
     let saved = unsafe { saved_registers() };
     let more = __cpuid_count(7, 0).ebx;
     // SSE, AVX; masks, upper halves, registers from 16 on
-    let has_avx2 = all(saved, &[1, 2]) && all(more, &[avx2]);
-    let small = all(basic, &[popcnt]) && all(more, &[bmi1, bmi2]) && all(__cpuid(0x8000_0001).ecx, &[lzcnt]);
-    [has_avx2, has_avx2 && small && all(saved, &[5, 6, 7]) && all(more, &[f, dq, bw, vl])]
+    let has_avx2 = all(saved, &[1, 2])
+        && all(basic, &[popcnt])
+        && all(more, &[avx2, bmi1, bmi2])
+        && all(__cpuid(0x8000_0001).ecx, &[lzcnt]);
+    [has_avx2, has_avx2 && all(saved, &[5, 6, 7]) && all(more, &[f, dq, bw, vl])]
 }
 
 #[cfg(not(target_arch = "x86_64"))]

@@ -1,7 +1,7 @@
 //! Four numbers side by side in a plain array, for processors whose vectors have no file of their own here: LLVM finds instructions for
 //! them where it can.
 use super::blocks::Blocks;
-use super::lanes::{FEW, MOST_LANES, Windows, slot};
+use super::lanes::{FEW, Offsets, ROW_BITS, Windows, slot};
 use super::real::Real;
 use super::root::{floor, root4};
 use crate::layout::f32x4;
@@ -144,18 +144,20 @@ impl Blocks for Four {
         to[..4].copy_from_slice(&self.0);
     }
     #[inline(always)]
-    fn decode(codes: &[u16], windows: &Windows) -> [u32; MOST_LANES] {
-        let mut out = [0; MOST_LANES];
-        for (out, code) in out.iter_mut().zip(&codes[..4]) {
-            *out = slot(*code, windows);
+    fn decode_lanes(codes: &[u16], windows: &Windows, offsets: &mut Offsets, limit: u32) -> bool {
+        let mut all = true;
+        for (offset, code) in offsets.0.iter_mut().zip(&codes[..4]) {
+            let slot = slot(*code, windows);
+            *offset = slot << ROW_BITS;
+            all &= slot < limit;
         }
-        out
+        all
     }
     #[inline(always)]
-    fn compress(out: &mut [u32], used: usize, numbers: &[u32], mask: [u32; 4]) -> usize {
-        let (out, mut count) = (&mut out[used..][..4], 0);
-        for (number, listed) in numbers[..4].iter().zip(mask) {
-            out[count] = *number;
+    fn compress(to: (&mut [u32], &mut [f32]), used: usize, codes: &[u32], numbers: Self, mask: [u32; 4]) -> usize {
+        let (to_codes, to_numbers, mut count) = (&mut to.0[used..][..4], &mut to.1[used..][..4], 0);
+        for ((code, number), listed) in codes[..4].iter().zip(numbers.0).zip(mask) {
+            (to_codes[count], to_numbers[count]) = (*code, number);
             count += (listed & 1) as usize;
         }
         used + count

@@ -5,7 +5,7 @@
 #![expect(clippy::undocumented_unsafe_blocks, reason = "what makes all of them sound is said once, at the macro")]
 #![expect(unsafe_code, reason = "vector instructions are only to be had as intrinsics")]
 use super::blocks::Blocks;
-use super::lanes::{FEW, MOST_LANES, WINDOW_BITS, Windows, slot};
+use super::lanes::{FEW, Offsets, ROW_BITS, WINDOW_BITS, Windows, slot};
 use super::real::Real;
 use super::root::floor;
 use crate::layout::f32x4;
@@ -142,16 +142,13 @@ macro_rules! vector {
                 unsafe { $store(to.as_mut_ptr(), self.0) }
             }
             #[inline(always)]
-            fn decode(codes: &[u16], windows: &Windows) -> [u32; MOST_LANES] {
-                let codes = &codes[..$lanes];
-                let mut out = [0; MOST_LANES];
-                unsafe { $by::decode(codes, windows, &mut out) };
-                out
+            fn decode_lanes(codes: &[u16], windows: &Windows, offsets: &mut Offsets, limit: u32) -> bool {
+                unsafe { $by::decode(&codes[..$lanes], windows, offsets, limit) }
             }
             #[inline(always)]
-            fn compress(out: &mut [u32], used: usize, numbers: &[u32], mask: $mask) -> usize {
-                let (out, numbers) = (&mut out[used..][..$lanes], &numbers[..$lanes]);
-                used + unsafe { $by::compress(out, numbers, mask) }
+            fn compress(to: (&mut [u32], &mut [f32]), used: usize, codes: &[u32], numbers: Self, mask: $mask) -> usize {
+                let to = (&mut to.0[used..][..$lanes], &mut to.1[used..][..$lanes]);
+                used + unsafe { $by::compress(to, &codes[..$lanes], numbers.0, mask) }
             }
             #[inline(always)]
             fn permute(column: &[f32; FEW], index: Self) -> Self {
@@ -209,19 +206,24 @@ mod sse {
     }
 
     #[inline(always)]
-    pub(super) unsafe fn decode(codes: &[u16], windows: &Windows, out: &mut [u32; MOST_LANES]) {
-        for (out, code) in out.iter_mut().zip(codes) {
-            *out = slot(*code, windows);
+    pub(super) unsafe fn decode(codes: &[u16], windows: &Windows, offsets: &mut Offsets, limit: u32) -> bool {
+        let mut all = true;
+        for (offset, code) in offsets.0.iter_mut().zip(codes) {
+            let slot = slot(*code, windows);
+            *offset = slot << ROW_BITS;
+            all &= slot < limit;
         }
+        all
     }
 
     /// One by one: SSE2 cannot move lanes by a mask.
     #[inline(always)]
-    pub(super) unsafe fn compress(out: &mut [u32], numbers: &[u32], mask: __m128) -> usize {
+    pub(super) unsafe fn compress(to: (&mut [u32], &mut [f32]), codes: &[u32], numbers: __m128, mask: __m128) -> usize {
         let mask = unsafe { _mm_movemask_ps(mask) } as usize;
+        let numbers: [f32; 4] = bytemuck::cast(numbers);
         let mut used = 0;
-        for (i, number) in numbers.iter().enumerate() {
-            out[used] = *number;
+        for (i, (code, number)) in codes.iter().zip(numbers).enumerate() {
+            (to.0[used], to.1[used]) = (*code, number);
             used += mask >> i & 1;
         }
         used
@@ -273,25 +275,31 @@ mod avx {
     }
 
     #[inline(always)]
-    pub(super) unsafe fn decode(codes: &[u16], windows: &Windows, out: &mut [u32; MOST_LANES]) {
+    pub(super) unsafe fn decode(codes: &[u16], windows: &Windows, offsets: &mut Offsets, limit: u32) -> bool {
         unsafe {
             let codes = _mm256_cvtepu16_epi32(_mm_loadu_si128(codes.as_ptr().cast()));
             let window = _mm256_srli_epi32::<{ WINDOW_BITS as i32 }>(codes);
             let within = _mm256_and_si256(codes, _mm256_set1_epi32((1 << WINDOW_BITS) - 1));
             let first = _mm256_permutevar8x32_epi32(_mm256_loadu_si256(windows.as_ptr().cast()), window);
-            _mm256_storeu_si256(out.as_mut_ptr().cast(), _mm256_add_epi32(first, within));
+            let slots = _mm256_add_epi32(first, within);
+            let offset = _mm256_slli_epi32::<{ ROW_BITS as i32 }>(slots);
+            _mm256_storeu_si256(offsets.0.as_mut_ptr().cast(), offset);
+            // there are fewer than 2^31 particles
+            let below = _mm256_cmpgt_epi32(_mm256_set1_epi32(limit as i32), slots);
+            _mm256_movemask_epi8(below) == -1
         }
     }
 
     #[inline(always)]
-    pub(super) unsafe fn compress(out: &mut [u32], numbers: &[u32], mask: __m256) -> usize {
+    pub(super) unsafe fn compress(to: (&mut [u32], &mut [f32]), codes: &[u32], numbers: __m256, mask: __m256) -> usize {
         unsafe {
             let mask = _mm256_movemask_ps(mask) as usize;
             let nibbles = _mm256_set1_epi32(FRONT[mask & 255] as i32);
             // a permutation looks at the lowest three bits of each lane only
             let front = _mm256_srlv_epi32(nibbles, _mm256_setr_epi32(0, 4, 8, 12, 16, 20, 24, 28));
-            let numbers = _mm256_loadu_si256(numbers.as_ptr().cast());
-            _mm256_storeu_si256(out.as_mut_ptr().cast(), _mm256_permutevar8x32_epi32(numbers, front));
+            let codes = _mm256_loadu_si256(codes.as_ptr().cast());
+            _mm256_storeu_si256(to.0.as_mut_ptr().cast(), _mm256_permutevar8x32_epi32(codes, front));
+            _mm256_storeu_ps(to.1.as_mut_ptr(), _mm256_permutevar8x32_ps(numbers, front));
             mask.count_ones() as usize
         }
     }
@@ -344,22 +352,30 @@ mod avx512 {
     }
 
     #[inline(always)]
-    pub(super) unsafe fn decode(codes: &[u16], windows: &Windows, out: &mut [u32; MOST_LANES]) {
+    pub(super) unsafe fn decode(codes: &[u16], windows: &Windows, offsets: &mut Offsets, limit: u32) -> bool {
         unsafe {
             let codes = _mm512_cvtepu16_epi32(_mm256_loadu_si256(codes.as_ptr().cast()));
             let window = _mm512_srli_epi32::<WINDOW_BITS>(codes);
             let within = _mm512_and_si512(codes, _mm512_set1_epi32((1 << WINDOW_BITS) - 1));
             let windows = _mm512_castsi256_si512(_mm256_loadu_si256(windows.as_ptr().cast()));
             let first = _mm512_permutexvar_epi32(window, windows);
-            _mm512_storeu_si512(out.as_mut_ptr().cast(), _mm512_add_epi32(first, within));
+            let slots = _mm512_add_epi32(first, within);
+            _mm512_storeu_si512(offsets.0.as_mut_ptr().cast(), _mm512_slli_epi32::<ROW_BITS>(slots));
+            _mm512_cmplt_epu32_mask(slots, _mm512_set1_epi32(limit as i32)) == !0
         }
     }
 
     #[inline(always)]
-    pub(super) unsafe fn compress(out: &mut [u32], numbers: &[u32], mask: __mmask16) -> usize {
+    pub(super) unsafe fn compress(
+        to: (&mut [u32], &mut [f32]),
+        codes: &[u32],
+        numbers: __m512,
+        mask: __mmask16,
+    ) -> usize {
         unsafe {
-            let numbers = _mm512_loadu_si512(numbers.as_ptr().cast());
-            _mm512_storeu_si512(out.as_mut_ptr().cast(), _mm512_mask_compress_epi32(numbers, mask, numbers));
+            let codes = _mm512_loadu_si512(codes.as_ptr().cast());
+            _mm512_storeu_si512(to.0.as_mut_ptr().cast(), _mm512_mask_compress_epi32(codes, mask, codes));
+            _mm512_storeu_ps(to.1.as_mut_ptr(), _mm512_mask_compress_ps(numbers, mask, numbers));
             mask.count_ones() as usize
         }
     }

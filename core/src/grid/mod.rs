@@ -27,8 +27,15 @@ pub fn cell_coordinate(p: &Parameters, axis: usize, x: f32) -> Option<i32> {
 #[inline]
 #[must_use]
 pub fn cell_index(p: &Parameters, c: [i32; 3]) -> u32 {
-    let wrap = |axis: usize| c[axis].rem_euclid(p.cells[axis] as i32) as u32;
-    wrap(0) + p.cells[0] * (wrap(1) + p.cells[1] * wrap(2))
+    let [x, y, z] = [0, 1, 2].map(|axis| wrapped(c[axis], p.cells[axis] as i32) as u32);
+    x + p.cells[0] * (y + p.cells[1] * z)
+}
+
+/// Euclidean remainder. Nearly all coordinates are less than a period off, and a division costs as much as trying a few neighbours.
+#[inline(always)]
+fn wrapped(c: i32, count: i32) -> i32 {
+    let near = c + if c < 0 { count } else { 0 } - if c >= count { count } else { 0 };
+    if (0..count).contains(&near) { near } else { c.rem_euclid(count) }
 }
 
 /// Cell of a position.
@@ -101,17 +108,20 @@ impl Stencil {
     #[inline]
     #[must_use]
     pub fn around(p: &Parameters, layers: i32, cells: Cells<'_>, cell: usize) -> Stencil {
-        let [nx, ny] = [p.cells[0] as usize, p.cells[1] as usize];
-        let own = [cell % nx, cell / nx % ny, cell / nx / ny].map(|c| c as i32);
+        let [nx, ny, nz, _] = p.cells.map(|count| count as i32);
+        let (row, x) = (cell as u32 / p.cells[0], (cell as u32 % p.cells[0]) as i32);
+        let [y, z] = [row % p.cells[1], row / p.cells[1]].map(|c| c as i32);
         let mut stencil = Stencil { runs: [(0, 0); 27], count: 0 };
         for dz in -layers..=layers {
+            let plane = ny * wrapped(z + dz, nz);
             for dy in -1..=1 {
-                let row = |dx: i32| cell_index(p, [own[0] + dx, own[1] + dy, own[2] + dz]) as usize;
-                if own[0] > 0 && own[0] + 1 < nx as i32 {
-                    stencil.push(cells.members(row(-1)).start, cells.members(row(1)).end);
+                let first = (nx * (plane + wrapped(y + dy, ny))) as usize;
+                if x > 0 && x + 1 < nx {
+                    let own = first + x as usize;
+                    stencil.push(cells.start[own - 1] as usize, cells.members(own + 1).end);
                 } else {
                     for dx in -1..=1 {
-                        let run = cells.members(row(dx));
+                        let run = cells.members(first + wrapped(x + dx, nx) as usize);
                         stencil.push(run.start, run.end);
                     }
                 }

@@ -1,12 +1,12 @@
 //! Receivers side by side, and the walk over their neighbours: from the lists, or where those did not fit by a search of the cells.
 use super::context::Setup;
 use super::lanes::is_wall;
-use super::lists::{GROUP, Listed, Lists};
+use super::lists::{CHUNK, GROUP, Listed, Lists};
 use super::local::{Particles, spread};
 use crate::arithmetic::lanes::{Lanes, MOST_LANES, Slots};
 use crate::arithmetic::real::{less, real, select, vec3};
-use crate::layout::f32x4;
 use crate::grid::{Cells, Stencil, cell_of};
+use crate::layout::f32x4;
 use crate::terms::pair::{Local, pair_scale, separation, squared_ratio};
 use crate::terms::wall::MIRRORED;
 
@@ -43,8 +43,11 @@ macro_rules! fold {
     };
     (@ $group:ident: $R:ident, $is_masked:literal, |$slots:ident| $parts:expr) => {{
         let mut sums = <$R>::nothing();
+        // apart from the walk, which would have to lie in memory with them
+        let mut cursors = $crate::passes::group::Cursors::default();
+        let mut slots = $crate::arithmetic::lanes::Slots::first($group.particles.position.len());
         let mut walk = $crate::passes::group::Walk::<$R>::of($group);
-        while let Some(slots) = walk.next() {
+        while walk.next(&mut slots, &mut cursors) {
             let $slots = &slots;
             let parts: [$R; 4] = $parts;
             sums = <$R>::add_up(sums, if $is_masked { walk.listed(parts) } else { parts });
@@ -78,25 +81,22 @@ impl<'a> Group<'a> {
     pub(crate) fn are_walls(&self) -> bool {
         self.particles.are_walls(self.setup, self.first, self.last)
     }
-
 }
 
 /// Where the search of each receiver's cells stands: its run, and the slot in it.
-type Cursors = [(usize, usize); GROUP];
+pub(crate) type Cursors = [(usize, usize); GROUP];
 
 /// A walk over the neighbours of a group.
 pub(crate) struct Walk<'a, R> {
     surroundings: &'a Surroundings<'a>,
     first: usize,
     last: usize,
-    particles: usize,
     /// The codes from the group's first receiver on.
     listed: Option<Listed<'a>>,
     /// The next of them.
     next: usize,
-    cursors: Cursors,
-    /// Of the lanes: the how manieth neighbour of its receiver, and how many that has.
-    place: R,
+    /// How many neighbours of each receiver came before those in the lanes, and how many there are of each.
+    before: usize,
     count: R,
 }
 
@@ -112,43 +112,42 @@ impl<'a, R: Lanes> Walk<'a, R> {
             let counts = lists.counts;
             count = R::from_lanes(|lane| f32::from(counts[(receiver + lane / R::NEIGHBOURS) % GROUP]));
         }
-        let place = R::from_lanes(|lane| (lane % R::NEIGHBOURS) as f32 - R::NEIGHBOURS as f32);
         let Group { surroundings, first, last, .. } = *group;
-        let particles = group.particles.position.len();
-        Walk { surroundings, first, last, particles, listed, next: 0, cursors: [(0, 0); GROUP], place, count }
+        Walk { surroundings, first, last, listed, next: 0, before: 0, count }
     }
 
-    /// The next neighbours.
+    /// Goes on to the next neighbours; false where there are none.
     #[inline(always)]
-    pub(crate) fn next(&mut self) -> Option<Slots> {
-        self.place = self.place + R::NEIGHBOURS as f32;
-        let particles = self.particles;
+    pub(crate) fn next(&mut self, slots: &mut Slots, cursors: &mut Cursors) -> bool {
         let Some(listed) = &self.listed else {
             let lanes = [R::RECEIVERS, R::NEIGHBOURS];
-            let found = search(self.surroundings, [self.first, self.last], &mut self.cursors, lanes)?;
-            self.place = R::from_lanes(|lane| (lane % R::NEIGHBOURS) as f32);
+            let Some(found) = search(self.surroundings, [self.first, self.last], cursors, lanes) else { return false };
+            slots.set(&found.slots);
             self.count = R::from_lanes(|lane| found.counts[lane / R::NEIGHBOURS] as f32);
-            return Some(Slots::new::<R>(found.slots, particles));
+            return true;
         };
-        let codes = listed.codes.get(self.next..)?;
-        if codes.len() < R::LANES {
-            return None;
-        }
-        if R::NEIGHBOURS == 4 {
-            self.next += 4 * GROUP;
-        } else {
-            self.next += if self.next % 4 == 3 { 4 * GROUP - 3 } else { 1 };
-        }
-        Some(Slots::new::<R>(R::slots(codes, listed.windows), particles))
+        let Some(codes) = listed.codes.get(self.next..).filter(|codes| codes.len() >= R::LANES) else { return false };
+        slots.decode::<R>(codes, listed.windows);
+        // a chunk after the other, or the places of a receiver in them
+        let place = self.next % GROUP + R::NEIGHBOURS;
+        self.before = self.next / CHUNK * GROUP + self.next % GROUP;
+        self.next += if place == GROUP { CHUNK + R::NEIGHBOURS - GROUP } else { R::NEIGHBOURS };
+        true
     }
 
     /// Zeros in the lanes that hold no pair.
     #[inline(always)]
-    pub(crate) fn listed(&self, [x, y, z, w]: [R; 4]) -> [R; 4] {
-        let none = real(0.0);
-        let of_list = less(self.place, self.count);
-        [select(none, x, of_list), select(none, y, of_list), select(none, z, of_list), select(none, w, of_list)]
+    pub(crate) fn listed(&self, parts: [R; 4]) -> [R; 4] {
+        let place = R::from_lanes(|lane| (lane % R::NEIGHBOURS) as f32) + self.before as f32;
+        masked(parts, less(place, self.count))
     }
+}
+
+/// Zeros where the mask does not hold.
+#[inline(always)]
+pub(crate) fn masked<R: Lanes>([x, y, z, w]: [R; 4], mask: R::Mask) -> [R; 4] {
+    let none = real(0.0);
+    [select(none, x, mask), select(none, y, mask), select(none, z, mask), select(none, w, mask)]
 }
 
 /// The next neighbours of each receiver.

@@ -55,7 +55,6 @@ pub(crate) fn load_one<R: Real>(array: &[f32x4], first: usize, last: usize, i: u
     R::from_lanes(|lane| array[(first + lane).min(last)][i])
 }
 
-
 /// The lanes into as many entries as there are, whose w stays.
 #[inline(always)]
 pub(crate) fn store_xyz<R: Lanes>(out: &mut [f32x4], vec3 { x, y, z }: vec3<R>) {

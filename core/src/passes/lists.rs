@@ -16,6 +16,9 @@ pub(crate) const MOST_LISTED: usize = 240;
 /// Codes that a group's lists grow by: four for each of its particles.
 pub(crate) const CHUNK: usize = 16;
 
+/// Room for the neighbours of a particle while they are being found.
+pub(crate) const ROOM: usize = MOST_LISTED + CHUNK;
+
 /// Words of a range: where the codes begin, in chunks; where their windows stand, likewise; the longest list; the length of each in a
 /// byte.
 const RANGE: usize = 4;
@@ -53,6 +56,9 @@ pub(crate) struct Listed<'a> {
 }
 
 impl<'a> Lists<'a> {
+    /// None: all groups search their cells.
+    pub(crate) const NONE: Lists<'a> = Lists { ranges: &[], codes: &[] };
+
     /// Those in this memory.
     pub(crate) fn new(memory: &'a [u32], particles: usize) -> Lists<'a> {
         let (ranges, codes) = parts(memory, particles);
@@ -81,6 +87,8 @@ pub(crate) struct Filling<'a> {
     windows: Windows,
     /// How many of them are in use.
     used: usize,
+    /// The one that was asked for last.
+    recent: usize,
     /// Where they were written; nowhere yet where they are new.
     written: Option<usize>,
 }
@@ -107,6 +115,7 @@ pub(crate) fn share<'a>(
             filled: 0,
             windows: [0; WINDOWS],
             used: 0,
+            recent: 0,
             written: None,
         };
         chunks_before = until;
@@ -120,10 +129,21 @@ impl Filling<'_> {
     pub(crate) fn shift(&mut self, run: &Range<usize>) -> Option<u32> {
         let (first, last) = (run.start as u32, run.end.max(1) as u32 - 1);
         let within = |start: u32, slot: u32| slot.wrapping_sub(start) < 1 << WINDOW_BITS;
-        for (i, &start) in self.windows[..self.used].iter().enumerate() {
-            if within(start, first) && within(start, last) {
-                return Some(((i as u32) << WINDOW_BITS).wrapping_sub(start));
-            }
+        // most runs lie beside the one before
+        let start = self.windows[self.recent];
+        if self.recent >= self.used || !within(start, first) || !within(start, last) {
+            self.recent = self.window_of(first, last)?;
+        }
+        Some(((self.recent as u32) << WINDOW_BITS).wrapping_sub(self.windows[self.recent]))
+    }
+
+    /// The window of a run, a new one if need be.
+    #[inline(never)]
+    fn window_of(&mut self, first: u32, last: u32) -> Option<usize> {
+        let within = |start: u32, slot: u32| slot.wrapping_sub(start) < 1 << WINDOW_BITS;
+        let known = self.windows[..self.used].iter().position(|&start| within(start, first) && within(start, last));
+        if known.is_some() {
+            return known;
         }
         if self.used == WINDOWS || !within(first, last) {
             return None;
@@ -131,7 +151,7 @@ impl Filling<'_> {
         self.windows[self.used] = first;
         self.used += 1;
         self.written = None;
-        self.shift(run)
+        Some(self.used - 1)
     }
 
     /// Forgets the windows.
@@ -146,7 +166,7 @@ impl Filling<'_> {
         &mut self,
         group: usize,
         fits: bool,
-        codes: &mut [[u32; MOST_LISTED + CHUNK]; GROUP],
+        codes: &mut [[u32; ROOM]; GROUP],
         counts: [usize; GROUP],
         own: [u32; GROUP],
     ) {

@@ -2,11 +2,13 @@
 //! device's passes have the same names.
 //!
 //! Loops only load, call a term and store. No job reads what another job of its pass writes.
+mod candidates;
 pub(crate) mod columns;
 pub(crate) mod context;
 mod field;
 mod group;
 pub(crate) mod lanes;
+mod listing;
 mod lists;
 mod local;
 mod pairs;
@@ -26,7 +28,6 @@ pub(crate) mod b_sort {
 }
 
 pub(crate) mod c_density {
-    mod candidates;
     pub(crate) mod density;
     pub(crate) mod neighbours;
     pub(crate) mod support;

@@ -111,7 +111,9 @@ impl<P: PairPass> Job<'_, P> {
     /// All groups by this model, parts of which the compiler may know.
     #[inline(always)]
     fn run_by<R: Lanes>(&mut self, model: Model) {
-        let setup = Setup { model: &model, ..self.surroundings.setup };
+        // of its own, so that the compiler sees that nothing changes it
+        let parameters = *self.surroundings.setup.parameters;
+        let setup = Setup { model: &model, parameters: &parameters, ..self.surroundings.setup };
         let (particles, lists) = (self.surroundings.particles, self.lists);
         let present = self.present.saturating_sub(self.first_slot).min(self.out.len());
         let (out, absent) = self.out.split_at_mut(present);

@@ -1,7 +1,7 @@
 //! What follows from the choices of a scene: predicates that arrays, passes and the step's order ask.
 use crate::layout::Model;
 use crate::terms::correction::PRESSURE_CORRECTION;
-use crate::terms::density::is_stepped;
+use crate::terms::density::{counts_masses, is_stepped};
 use crate::terms::integrate::{SEMI_IMPLICIT_EULER, knows_velocity};
 use crate::terms::table::DIRECT;
 use crate::terms::tension::{CURVATURE, NORMAL_CURVATURE};
@@ -30,6 +30,12 @@ impl Model {
     #[must_use]
     pub fn integrates_after(&self) -> bool {
         self.walls == 1 || !knows_velocity(self)
+    }
+
+    /// Does density follow from the distances of neighbours alone, whoever they are?
+    #[must_use]
+    pub fn sums_distances(&self) -> bool {
+        !is_stepped(self) && !counts_masses(self) && self.variable_support == 0
     }
 
     /// Are kernels read from tables?

@@ -2,7 +2,7 @@
 //! the old ones.
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::level::Work;
-use crate::arithmetic::real::{real};
+use crate::arithmetic::real::real;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::layout::f32x4;
 use crate::memory::State;

@@ -21,6 +21,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let places = setup.model.cell_places as usize;
     let (cell_members, grid_cells) = (&*s.cell_members, &*s.grid_cells);
     let cells = Cells { start: s.cell_start, counter: s.grid_cell_counters };
+    let cell_of = &*s.cell;
     let (mut sources, mut ids) = (&mut *s.source_slot, &mut *step.new.id);
     let mut jobs = Jobs::new();
     for (share, slots) in cells.shares(parts(step.executor), old_id.len()) {
@@ -28,11 +29,18 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
         let _ = jobs.push(Job { cells: share, first_slot: slots.start, source_slot, id });
     }
     step.executor.run(&mut jobs, |job| {
-        for cell in job.cells.clone() {
-            let members = cells.members(cell);
-            if members.is_empty() {
-                continue;
+        let (mut cell, end) = (job.cells.start, job.first_slot + job.id.len());
+        let mut next = job.first_slot;
+        while next < end {
+            if places == 0 {
+                // who lies there knows the cell: no need to pass by the empty ones
+                cell = cell_of[cell_members[next] as usize] as usize;
             }
+            while cells.counter[cell] == 0 {
+                cell += 1;
+            }
+            let members = cells.members(cell);
+            next = members.end;
             let slots = members.start - job.first_slot..members.end - job.first_slot;
             let first_place = cell * places;
             let unsorted =
@@ -43,9 +51,10 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
                 for (id, &slot) in id.iter_mut().zip(unsorted) {
                     *id = old_id[slot as usize];
                 }
-                continue;
+            } else {
+                sort(old_id, unsorted, source_slot, id);
             }
-            sort(old_id, unsorted, source_slot, id);
+            cell += 1;
         }
     });
 }

@@ -4,7 +4,9 @@ use crate::arithmetic::real::{less, real, select, vec3};
 use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::context::{Setup, Step};
-use crate::passes::group::{Group, fold};
+use crate::passes::group::{Group, fold, masked};
+use crate::passes::listing::{self, Near, Visit};
+use crate::passes::lists::GROUP;
 use crate::passes::local::{Particles, of_material, particles, spread};
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::correction::pressure_carried;
@@ -18,11 +20,17 @@ use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use crate::terms::state::{pressure_close, pressure_of_state};
 use crate::terms::wall::{MIRRORED, mass_seen};
 
-/// Fills `density_pressure`.
+/// Fills `density_pressure`, and where density follows from distances alone, `neighbours`.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
-    let (particles, cells, lists) = (particles!(step but density), cells!(step), lists!(step));
+    let (setup, executor) = (step.setup, step.executor);
+    let (particles, cells) = (particles!(step but density), cells!(step));
     let pass = Density { previous: step.scratch.previous_density_pressure };
-    pairs::run(step.setup, step.executor, particles, cells, lists, &pass, step.new.density_pressure);
+    let out = &mut *step.new.density_pressure;
+    if setup.model.sums_distances() {
+        listing::run(setup, executor, particles, cells, step.scratch.neighbours, &pass, out);
+    } else {
+        pairs::run(setup, executor, particles, cells, lists!(step), &pass, out);
+    }
 }
 
 /// Deviation, pressure, near pressure, volume.
@@ -83,17 +91,66 @@ impl PairPass for Density<'_> {
     #[inline(always)]
     fn group<R: Lanes>(&self, group: &Group<'_>, own: &mut [f32x4]) -> u32 {
         let (setup, particles) = (group.setup, group.particles);
+        let [x, y, z, _] = group.spread::<R>(particles.position);
+        let [vx, vy, vz, kinds] = group.spread::<R>(particles.velocity);
+        let rest = of_material(setup, &setup.materials.species, &setup.columns.species, kinds, 2);
+        let (position, velocity) = (vec3(x, y, z), vec3(vx, vy, vz));
+        let support = particles.supports(setup, group.first, group.last);
+        let receivers = Receivers { setup, particles, position, velocity, support, rest };
+        let sums = fold!(group: R, |slots| receivers.add(slots));
+        self.close(group, sums, own);
+        0
+    }
+}
+
+impl Visit for Density<'_> {
+    fn work(job: &mut listing::Job<'_, Self>) {
+        job.run();
+    }
+
+    #[inline(always)]
+    fn visit<R: Lanes>(&self, group: &Group<'_>, near: &Near, own: &mut [f32x4]) {
+        let Setup { model: m, tables: t, .. } = *group.setup;
+        let (none, one) = (real::<R>(0.0), real::<R>(1.0));
+        let receiver = group.first % GROUP;
+        let count = R::from_lanes(|lane| near.counts[(receiver + lane / R::NEIGHBOURS) % GROUP] as f32);
+        let longest = near.counts.iter().copied().max().unwrap_or(0);
+        let mut place = R::from_lanes(|lane| (lane % R::NEIGHBOURS) as f32);
+        let mut sums = R::nothing();
+        for k in (0..longest).step_by(R::NEIGHBOURS) {
+            let q2 = near.q2_of::<R>(receiver, k);
+            let near_density = if m.near_pressure == ARTICLE { near_density_neighbour(m, one, q2, one) } else { none };
+            let number = if m.numbers == 1 { number_density_neighbour(m, t, q2, one) } else { none };
+            let parts = [summed_neighbour(m, t, one, q2, one), near_density, number, none];
+            sums = R::add_up(sums, masked(parts, less(place, count)));
+            place = place + R::NEIGHBOURS as f32;
+        }
+        self.close(group, R::sums(sums), own);
+    }
+
+    #[inline(always)]
+    fn search<R: Lanes>(&self, group: &Group<'_>, own: &mut [f32x4]) {
+        self.group::<R>(group, own);
+    }
+
+    fn absent(&self, setup: &Setup<'_>, own: &mut [f32x4]) {
+        PairPass::absent(self, setup, own);
+    }
+}
+
+impl Density<'_> {
+    /// What follows from the sums.
+    #[inline(always)]
+    fn close<R: Lanes>(&self, group: &Group<'_>, sums: [R; 4], own: &mut [f32x4]) {
+        let (setup, particles) = (group.setup, group.particles);
         let Setup { model: m, parameters: p, materials, columns, uniform: u, .. } = *setup;
         let (first, last) = (group.first, group.last);
         let none = real::<R>(0.0);
-        let [x, y, z, mass] = group.spread::<R>(particles.position);
-        let [vx, vy, vz, kinds] = group.spread::<R>(particles.velocity);
+        let [sum, near_sum, number_sum, _] = sums;
+        let [.., mass] = group.spread::<R>(particles.position);
+        let [.., kinds] = group.spread::<R>(particles.velocity);
         let of_species = |i: usize| -> R { of_material(setup, &materials.species, &columns.species, kinds, i) };
         let rest = of_species(2);
-        let (position, velocity) = (vec3(x, y, z), vec3(vx, vy, vz));
-        let support = particles.supports(setup, first, last);
-        let receivers = Receivers { setup, particles, position, velocity, support, rest };
-        let [sum, near_sum, number_sum, _] = fold!(group: R, |slots| receivers.add(slots));
         let previous = if self.previous.is_empty() { [none; 4] } else { spread(self.previous, first, last) };
         let stiffness = particles.stiffness::<R>(setup, first, last);
         let mut deviation = if is_stepped(m) {
@@ -120,6 +177,5 @@ impl PairPass for Density<'_> {
             volume = volume_by_number(m, p, volume, number_sum, of_species(1));
         }
         R::rows([deviation, pressure, near_pressure, volume], own);
-        0
     }
 }

@@ -1,12 +1,13 @@
 //! Second half of the integrator, then the walls.
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::level::Work;
-use crate::arithmetic::real::{real, vec3};
+use crate::arithmetic::real::{less, real, vec3};
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::layout::f32x4;
 use crate::passes::context::{Setup, Step};
 use crate::passes::lanes::{load, load_if_any, row_of, store_xyz};
 use crate::terms::boundary::{depth_behind, depth_if_free, put_back, reflect, select_if_behind};
+use crate::terms::geometry::flush3;
 use crate::terms::integrate::{
     has_history, history_after, history_turned, moves_again, needs_earlier, needs_predicted_velocity, position_after,
     velocity_after, wrap,
@@ -79,9 +80,19 @@ impl Work for &mut Job<'_> {
                     x = wrap(m, p, only_if_free(m, x, position_after(m, u, x, a, earlier, before), wall));
                 }
                 if m.walls == 1 {
+                    let mut is_flushed = false;
                     for plane in &p.planes[..p.plane_count as usize] {
                         let normal = vec3::splat(*plane);
                         let depth = depth_if_free(m, depth_behind(x, normal, real(plane[3])), wall);
+                        if !has_history(m) && !R::any(less(real(0.0), depth)) {
+                            // nobody is behind it: all that a plane then does is to flush, and that once
+                            if !is_flushed {
+                                (v, x) = (flush3(v), flush3(x));
+                            }
+                            is_flushed = true;
+                            continue;
+                        }
+                        is_flushed = true;
                         v = reflect(m, p, u, v, normal, depth);
                         x = put_back(x, normal, depth);
                         if has_history(m) {

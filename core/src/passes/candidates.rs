@@ -3,6 +3,7 @@ use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::real::{less, real, vec3};
 use crate::layout::f32x4;
 use crate::passes::context::Setup;
+use crate::passes::lists::ROOM;
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use core::ops::Range;
 
@@ -31,7 +32,15 @@ impl Candidates {
     /// None.
     pub(crate) fn none() -> Candidates {
         let empty = [0.0; MOST + SPARE];
-        Candidates { x: empty, y: empty, z: empty, support: empty, code: [0; MOST + SPARE], count: 0, is_complete: false }
+        Candidates {
+            x: empty,
+            y: empty,
+            z: empty,
+            support: empty,
+            code: [0; MOST + SPARE],
+            count: 0,
+            is_complete: false,
+        }
     }
 
     /// Forgets all.
@@ -52,11 +61,13 @@ impl Candidates {
         if count > MOST - first {
             return false;
         }
-        let last = position.len() - 1;
         for offset in (0..count).step_by(R::LANES) {
             let (from, to) = (run.start + offset, first + offset);
             // what is beyond the run is overwritten by the next one
-            let [x, y, z, _] = R::load(|lane| &position[(from + lane).min(last)]);
+            let [x, y, z, _] = match position.get(from..from + R::LANES) {
+                Some(rows) => R::load(|lane| &rows[lane]),
+                None => R::load(|lane| &position[(from + lane).min(position.len() - 1)]),
+            };
             x.write(&mut self.x[to..]);
             y.write(&mut self.y[to..]);
             z.write(&mut self.z[to..]);
@@ -77,23 +88,29 @@ impl Candidates {
         self.x[self.count..self.count + SPARE].fill(FAR);
     }
 
-    /// Writes the codes of the neighbours of a particle at `x`; returns how many. Where there are more than there is room for, it returns
-    /// a number beyond that.
+    /// Writes the codes of the neighbours of a particle at `x`, and their `q^2`; returns how many there are. Where it runs out of room, it
+    /// returns how much that was.
     #[inline(always)]
-    pub(crate) fn near<R: Lanes>(&self, setup: &Setup<'_>, x: f32x4, support: f32, codes: &mut [u32]) -> usize {
+    pub(crate) fn near<R: Lanes>(
+        &self,
+        setup: &Setup<'_>,
+        x: f32x4,
+        support: f32,
+        (codes, q2s): (&mut [u32; ROOM], &mut [f32; ROOM]),
+    ) -> usize {
         let (m, p) = (setup.model, setup.parameters);
         let x_a = vec3::<R>::splat(x);
         let lanes = self.count.next_multiple_of(R::LANES);
         let mut used = 0;
         for at in (0..lanes).step_by(R::LANES) {
-            if codes.len() < used + R::LANES {
-                return codes.len();
+            if used > ROOM - R::LANES {
+                return ROOM;
             }
             let x_b = vec3(R::read(&self.x[at..]), R::read(&self.y[at..]), R::read(&self.z[at..]));
             let support_b = if m.variable_support == 1 { R::read(&self.support[at..]) } else { real(1.0) };
             let scale = pair_scale(m, real(support), support_b);
             let q2 = squared_ratio(m, p, separation(m, p, x_a, x_b), scale);
-            used = R::append(codes, used, &self.code[at..], less(q2, real(1.0)));
+            used = R::append((codes, q2s), used, &self.code[at..], q2, less(q2, real(1.0)));
         }
         used
     }

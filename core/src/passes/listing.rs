@@ -1,0 +1,236 @@
+//! Finding neighbours: cell by cell the candidates are gathered once, tried by each particle of the cell, and those that are near are listed,
+//! group by group.
+use super::candidates::Candidates;
+use super::context::Setup;
+use super::group::{Group, Surroundings};
+use super::lanes::is_wall;
+use super::lists::{Filling, GROUP, Lists, MOST_LISTED, ROOM, groups, share};
+use super::local::Particles;
+use super::pairs::{General, Plain, present};
+use crate::arithmetic::lanes::Lanes;
+use crate::arithmetic::level::Work;
+use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::grid::{Cells, Stencil, cell_of};
+use crate::layout::{Model, f32x4};
+use crate::terms::wall::MIRRORED;
+use core::ops::Range;
+
+/// What else is done with the neighbours of a group while their distances are at hand.
+pub(crate) trait Visit: Sync + Sized {
+    /// Does a job: `job.run()`, compiled once, in this crate: see [`PairPass::work`](super::pairs::PairPass::work).
+    fn work(job: &mut Job<'_, Self>);
+
+    /// Fills the entries of some particles of a group, of which `near` has all neighbours.
+    fn visit<R: Lanes>(&self, group: &Group<'_>, near: &Near, own: &mut [f32x4]);
+
+    /// The same where there were too many of them to keep.
+    fn search<R: Lanes>(&self, group: &Group<'_>, own: &mut [f32x4]);
+
+    /// Fills the entries of particles that are not there.
+    fn absent(&self, setup: &Setup<'_>, own: &mut [f32x4]);
+}
+
+/// The neighbours of a group.
+pub(crate) struct Near {
+    codes: [[u32; ROOM]; GROUP],
+    /// Squared distances over the squared support.
+    pub q2: [[f32; ROOM]; GROUP],
+    /// How many each particle has.
+    pub counts: [usize; GROUP],
+    /// The particles' own codes.
+    own: [u32; GROUP],
+    /// Do all codes refer to the same windows?
+    fits: bool,
+}
+
+/// A share of the groups.
+pub(crate) struct Job<'a, V> {
+    surroundings: Surroundings<'a>,
+    present: usize,
+    groups: Range<usize>,
+    lists: Filling<'a>,
+    visitor: &'a V,
+    /// What the visitor fills: an entry a particle, or nothing.
+    out: &'a mut [f32x4],
+}
+
+/// Lists the neighbours of all particles, and hands those of each group to the visitor.
+pub(crate) fn run<V: Visit>(
+    setup: Setup<'_>,
+    executor: &impl Executor,
+    particles: Particles<'_>,
+    cells: Cells<'_>,
+    neighbours: &mut [u32],
+    visitor: &V,
+    out: &mut [f32x4],
+) {
+    let count = particles.position.len();
+    let present = present(&setup, cells, count);
+    let surroundings = Surroundings { setup, particles, cells };
+    let mut outs = out;
+    let mut jobs = Jobs::new();
+    let shares = shares(groups(count), parts(executor));
+    for (groups, lists) in share(neighbours, count, shares) {
+        let slots = groups.start * GROUP..(groups.end * GROUP).min(count);
+        let out = if outs.is_empty() { &mut [] } else { take(&mut outs, slots.len()) };
+        let _ = jobs.push(Job { surroundings, present, groups, lists, visitor, out });
+    }
+    executor.run(&mut jobs, V::work);
+}
+
+impl<V: Visit> Work for Plain<'_, Job<'_, V>> {
+    #[inline(always)]
+    fn run<R: Lanes>(self) {
+        self.0.run_by::<R>(self.0.surroundings.setup.model.plain());
+    }
+}
+
+impl<V: Visit> Work for General<'_, Job<'_, V>> {
+    #[inline(always)]
+    fn run<R: Lanes>(self) {
+        self.0.run_by::<R>(*self.0.surroundings.setup.model);
+    }
+}
+
+/// What is known of a cell whose candidates were gathered.
+struct Gathered {
+    members: Range<usize>,
+    /// What the members' codes are larger by than their slots.
+    own_shift: u32,
+    /// Do the codes refer to other windows than those of the cell before?
+    are_windows_new: bool,
+}
+
+impl<V: Visit> Job<'_, V> {
+    /// All groups of the job, at its SIMD level.
+    #[inline(always)]
+    pub(crate) fn run(&mut self) {
+        let Setup { simd, model, .. } = self.surroundings.setup;
+        if model.is_plain() { simd.run(Plain(self)) } else { simd.run(General(self)) }
+    }
+
+    /// All groups by this model, parts of which the compiler may know.
+    #[inline(always)]
+    fn run_by<R: Lanes>(&mut self, model: Model) {
+        let Surroundings { setup, particles, .. } = self.surroundings;
+        // of its own, so that the compiler sees that nothing changes it
+        let parameters = *setup.parameters;
+        let setup = &Setup { model: &model, parameters: &parameters, ..setup };
+        let (m, p) = (&model, setup.parameters);
+        let mut candidates = Candidates::none();
+        let mut near = Near {
+            codes: [[0; ROOM]; GROUP],
+            q2: [[0.0; ROOM]; GROUP],
+            counts: [0; GROUP],
+            own: [0; GROUP],
+            fits: true,
+        };
+        let first = self.groups.start * GROUP;
+        let end = (self.groups.end * GROUP).min(self.present).max(first);
+        let mut slot = first;
+        while slot < end {
+            // the cell of the next particles, and all that may be near them
+            let Gathered { members, own_shift, are_windows_new } = match cell_of(p, particles.position[slot]) {
+                Ok(cell) => self.gather::<R>(setup, cell as usize, &mut candidates),
+                // a step with such a particle ends before
+                Err(_) => Gathered { members: slot..slot + 1, own_shift: 0, are_windows_new: false },
+            };
+            near.fits &= !are_windows_new || slot % GROUP == 0;
+            let until = members.end.min(end);
+            for a in slot..until {
+                let i = a % GROUP;
+                near.own[i] = (a as u32).wrapping_add(own_shift);
+                // a mirroring wall has no density, and nobody acts on it
+                let asleep = m.wall_particles == MIRRORED && is_wall(setup.materials, particles.velocity[a][3]);
+                near.counts[i] = if asleep {
+                    0
+                } else if candidates.are_complete() {
+                    let support = if m.variable_support == 1 { particles.support[a] } else { 1.0 };
+                    candidates.near::<R>(setup, particles.position[a], support, (&mut near.codes[i], &mut near.q2[i]))
+                } else {
+                    ROOM
+                };
+                if i + 1 == GROUP || a + 1 == end {
+                    self.close::<R>(setup, &mut near, a, first);
+                }
+            }
+            slot = until;
+        }
+        if let Some(absent) = self.out.get_mut(end - first..) {
+            self.visitor.absent(setup, absent);
+        }
+    }
+
+    /// Lists a group, whose last particle lies in slot `last`.
+    #[inline(always)]
+    fn close<R: Lanes>(&mut self, setup: &Setup<'_>, near: &mut Near, last: usize, first_of_job: usize) {
+        let first = last - last % GROUP;
+        let own = near.own[last - first];
+        for rest in last + 1 - first..GROUP {
+            near.counts[rest] = 0;
+            near.own[rest] = own;
+        }
+        let known = near.counts.iter().all(|&count| count <= MOST_LISTED);
+        self.lists.push(first / GROUP - self.groups.start, known && near.fits, &mut near.codes, near.counts, near.own);
+        near.fits = true;
+        if self.out.is_empty() {
+            return;
+        }
+        for first in (first..=last).step_by(R::RECEIVERS) {
+            let last = last.min(first + R::RECEIVERS - 1);
+            let (particles, surroundings) = (self.surroundings.particles, &self.surroundings);
+            let group = Group { setup, particles, lists: Lists::NONE, surroundings, first, last };
+            let own = &mut self.out[first - first_of_job..=last - first_of_job];
+            if known {
+                self.visitor.visit::<R>(&group, near, own);
+            } else {
+                self.visitor.search::<R>(&group, own);
+            }
+        }
+    }
+
+    /// Gathers the candidates around a cell: not all of them, where they are too many to be listed.
+    #[inline(always)]
+    fn gather<R: Lanes>(&mut self, setup: &Setup<'_>, cell: usize, candidates: &mut Candidates) -> Gathered {
+        let Surroundings { particles, cells, .. } = self.surroundings;
+        let members = cells.members(cell);
+        let mut gathered = Gathered { members: members.clone(), own_shift: 0, are_windows_new: false };
+        let stencil = Stencil::around(setup.parameters, setup.model.layers as i32, cells, cell);
+        let support = if setup.model.variable_support == 1 { particles.support } else { &[] };
+        for attempt in 0..2 {
+            candidates.clear();
+            let mut room = true;
+            for run in stencil.runs() {
+                let Some(shift) = self.lists.shift(&run) else {
+                    room = false;
+                    break;
+                };
+                if run.contains(&members.start) {
+                    gathered.own_shift = shift;
+                }
+                if !candidates.add::<R>(particles.position, support, run, shift) {
+                    return gathered;
+                }
+            }
+            if room {
+                candidates.close();
+                return gathered;
+            }
+            if attempt == 0 {
+                // the windows are those of cells that lie behind
+                self.lists.reset();
+                gathered.are_windows_new = true;
+            }
+        }
+        gathered
+    }
+}
+
+impl Near {
+    /// Folds the squared distances of some of the group's particles, from the `first` on: four sums of each, in the order of its
+    /// neighbours. A macro would do what this does; it needs no closure that holds vectors.
+    #[inline(always)]
+    pub(crate) fn q2_of<R: Lanes>(&self, first: usize, k: usize) -> R {
+        R::numbers(|receiver| &self.q2[(first + receiver) % GROUP][k..])
+    }
+}
