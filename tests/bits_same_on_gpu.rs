@@ -83,7 +83,7 @@ fn same_on_all_paths(test: &str, scene: &Scene, places: &[InitialParticle]) {
     let heap = || OwnedMemory::with(&Requirements::of(scene).for_particles(places.len()));
     let (want, on_device) = start(&mut heap(), Simd::Scalar, true);
     assert_eq!(on_device.unwrap_or(want), want, "{test}, on the device");
-    for (simd, list) in [(Simd::Base, true), (Simd::detect(), true), (Simd::detect(), false)] {
+    for (simd, list) in Simd::available().flat_map(|simd| [(simd, true), (simd, false)]) {
         assert_eq!(start(&mut heap(), simd, list).0, want, "{test}, {simd:?}, lists {list}");
     }
 }

@@ -109,8 +109,10 @@ fn check(dimension: Dimension) {
         assert!(fastest.is_finite() && fastest < 100.0, "{name}: a scene that explodes tests little");
         let [lanes, _] = by_cpu(&scene, Simd::detect(), 2, &mut heap(), None);
         assert_eq!(differs(&want, lanes.as_ref()), None, "{name}: lanes on two threads");
-        let [base_lanes, _] = by_cpu(&scene, Simd::Base, 1, &mut heap(), None);
-        assert_eq!(differs(&want, base_lanes.as_ref()), None, "{name}: base lanes");
+        for simd in Simd::available().skip(1) {
+            let [lanes, _] = by_cpu(&scene, simd, 1, &mut heap(), None);
+            assert_eq!(differs(&want, lanes.as_ref()), None, "{name}: lanes, {simd:?}");
+        }
         assert_eq!(differs(&want, Some(&with_a_break(&scene))), None, "{name}: saved and gone on with");
         let known = checked(&scene);
         let plan = Plan::of(&known);

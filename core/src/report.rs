@@ -3,6 +3,7 @@ use crate::arithmetic::real::vec3;
 use crate::grid::{Cells, Stencil, cell_of, is_limbo};
 use crate::hash::tree_sum;
 use crate::layout::f32x4;
+use crate::memory::Sorting;
 use crate::passes::b_sort::count::count;
 use crate::passes::b_sort::scan::scan;
 use crate::passes::b_sort::scatter::scatter;
@@ -144,6 +145,7 @@ impl Solver<'_> {
         self.sort_again();
         let state = self.state();
         let scratch = &self.memory.scratch;
+        let source_slot = scratch.source_slot(state.id.len());
         let cells = Cells { start: scratch.cell_start, counter: scratch.grid_cell_counters };
         let support = |slot: usize| support_close(&m, &p, state.density_pressure[slot][0]);
         for cell in 0..cells.start.len() {
@@ -152,8 +154,8 @@ impl Solver<'_> {
                 continue;
             }
             let stencil = Stencil::around(&p, layers, cells, cell);
-            for a in &scratch.source_slot[members] {
-                for b in stencil.runs().flat_map(|run| &scratch.source_slot[run]) {
+            for a in &source_slot[members] {
+                for b in stencil.runs().flat_map(|run| &source_slot[run]) {
                     let (a, b) = (*a as usize, *b as usize);
                     let (x_a, x_b) = (vec3::<f32>::splat(state.position[a]), vec3::splat(state.position[b]));
                     let x_ab = separation(&m, &p, x_a, x_b);
@@ -184,14 +186,15 @@ impl Solver<'_> {
         counts.filter(|&(cell, _)| !is_limbo(&m, &p, cell)).map(|(_, &count)| count).max().unwrap_or(0)
     }
 
-    /// Slots by cell and id, into `order`. Walls move particles after a step has sorted them, and a failed step leaves
+    /// Slots by cell and id, into `source_slot`. Walls move particles after a step has sorted them, and a failed step leaves
     /// the cells of its attempt behind.
     fn sort_again(&mut self) {
         let (m, p) = (self.plan().model, *self.parameters());
         let current = self.current_index();
         let state = &self.memory.states[current];
         let (materials, scratch) = (&self.constants.materials, &mut self.memory.scratch);
-        for ((cell, x), v) in scratch.cell.iter_mut().zip(state.position.iter()).zip(state.velocity.iter()) {
+        let Sorting { source_slot, cell: cells, rank, .. } = Sorting::of(scratch.neighbours, state.id.len());
+        for ((cell, x), v) in cells.iter_mut().zip(state.position.iter()).zip(state.velocity.iter()) {
             if m.air == 1 && is_dormant(materials, v[3]) {
                 *cell = p.cells[3] - 1;
                 continue;
@@ -199,12 +202,12 @@ impl Solver<'_> {
             // one that a wall put beyond the range, where the next step refuses it, shows up in cell 0, near nobody
             *cell = cell_of(&p, *x).unwrap_or(0);
         }
-        count(scratch.cell, scratch.rank, scratch.grid_cell_counters);
+        count(cells, rank, scratch.grid_cell_counters);
         scan(scratch.grid_cell_counters, scratch.cell_start);
-        scatter(scratch.cell, scratch.rank, scratch.cell_start, scratch.source_slot);
+        scatter(cells, rank, scratch.cell_start, source_slot);
         let cells = Cells { start: scratch.cell_start, counter: scratch.grid_cell_counters };
         for cell in 0..cells.start.len() {
-            scratch.source_slot[cells.members(cell)].sort_unstable_by_key(|&slot| state.id[slot as usize]);
+            source_slot[cells.members(cell)].sort_unstable_by_key(|&slot| state.id[slot as usize]);
         }
     }
 }

@@ -205,7 +205,7 @@ impl<'m> Solver<'m> {
         commands: &[Command],
         begins: &mut (dyn FnMut(Pass) + Send),
     ) -> Result<Found, StepError> {
-        let Arrays { states: [a, b], scratch, given } = &mut self.memory;
+        let Arrays { states: [a, b], scratch, given, list_words } = &mut self.memory;
         let (tables, field) = (&*given.kernel_tables, field.unwrap_or(given.acceleration_field));
         let Constants { parameters, materials, step: uniform, .. } = constants;
         let columns = &Columns::of(materials, self.live.materials());
@@ -213,7 +213,7 @@ impl<'m> Solver<'m> {
         let (old, new) = if self.current == 0 { (&*a, b) } else { (&*b, a) };
         let found = Found::nothing(self.steps as u32);
         let command = Command::Run(Pass::IntegrateBefore);
-        let mut step = Step { setup, executor, old, new, scratch, given, found, command };
+        let mut step = Step { setup, executor, old, new, scratch, given, list_words: *list_words, found, command };
         step::run(&mut step, commands, begins).map_err(|error| error.at_step(self.steps + 1))?;
         Ok(step.found)
     }

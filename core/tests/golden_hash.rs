@@ -48,12 +48,12 @@ fn scene(text: &str) -> Scene {
 
 #[test]
 fn known_scenes_have_their_known_bits() {
-    for simd in [Simd::Scalar, Simd::Base, Simd::detect()] {
+    for simd in Simd::available() {
         assert_eq!(run(&bare::scene(), simd, 200)[0], format!("{BARE:#018x}"), "bare, {simd:?}");
     }
     let mut wrong = Vec::new();
     for (name, text, hash, full) in GOLDEN {
-        for simd in [Simd::Scalar, Simd::Base, Simd::detect()] {
+        for simd in Simd::available() {
             let [got, got_full] = run(&scene(text), simd, STEPS);
             if got != format!("{hash:#018x}") || got_full != format!("{full:#018x}") {
                 wrong.push(format!("\"{name}\": {got}, {got_full}; by {simd:?}"));

@@ -123,8 +123,9 @@ pub fn compare(
 ) -> Result<Comparison, Failure> {
     let scene = &named.checked()?;
     let (one, many) = (Pool::new(1)?, Pool::new(paths.threads)?);
-    let mut heaps = [scene; 4].map(OwnedMemory::of);
-    let [first, base_heap, best_heap, many_heap] = &mut heaps;
+    let mut heaps = [scene; 2].map(OwnedMemory::of);
+    let [first, many_heap] = &mut heaps;
+    let mut level_heaps: Vec<_> = Simd::available().skip(1).map(|simd| (simd, OwnedMemory::of(scene))).collect();
     let mut reference = start(&named.name, scene, first)?.at_level(Simd::Scalar);
     let other = other_grid(scene, &mut reference);
     let needs = other.check().map(|other| Requirements::of(&other)).ok().filter(|needs| needs.bytes() <= MOST_BYTES);
@@ -147,8 +148,9 @@ pub fn compare(
         };
         let best = Simd::detect();
         let name = format!("cpu lanes ({best:?})").to_lowercase();
-        cpu("cpu lanes (base)", scene, base_heap, Simd::Base, &one)?;
-        cpu(&name, scene, best_heap, best, &one)?;
+        for (simd, heap) in &mut level_heaps {
+            cpu(&format!("cpu lanes ({simd:?})").to_lowercase(), scene, heap, *simd, &one)?;
+        }
         cpu(&format!("{name}, {} threads", paths.threads), scene, many_heap, best, &many)?;
         if with_other {
             cpu(&format!("{name}, other grid"), &other, &mut other_heap, best, &one)?;

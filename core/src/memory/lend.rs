@@ -1,7 +1,7 @@
 //! How memory is lent to a solver: arrays by their names, and an arena for all that have none.
 use super::requirements::{LINE_WORDS, Requirements};
 use crate::error::SceneError;
-use crate::plan::arrays::{Array, Unit};
+use crate::plan::arrays::Array;
 use bytemuck::Pod;
 
 /// Memory lent to a solver: some arrays by name, as [`Storage`](super::Storage) does, all others in an arena. It may be larger than a
@@ -62,13 +62,15 @@ pub(super) struct Lender<'m, 'r> {
 }
 
 impl<'m> Lender<'m, '_> {
+    /// Words that the neighbour lists may take. There is memory for more, where those that it is shared with need it.
+    pub(super) fn list_words(&self) -> usize {
+        // chunks of codes are named by u32
+        self.requirements.entries(Array::neighbours).min(self.most_neighbour_words).min(u32::MAX as usize)
+    }
+
     /// A copy of an array, as long as it must be, all zero where it comes from the arena.
     pub(super) fn take<T: Pod>(&mut self, array: Array, copy: usize) -> Result<&'m mut [T], SceneError> {
-        let mut entries = if copy < self.requirements.copies(array) { self.requirements.entries(array) } else { 0 };
-        if array.unit() == Unit::NeighbourWord {
-            // chunks of codes are named by u32
-            entries = entries.min(self.most_neighbour_words).min(u32::MAX as usize);
-        }
+        let entries = if copy < self.requirements.copies(array) { self.requirements.entries(array) } else { 0 };
         let words = entries.saturating_mul(array.words());
         let named = core::mem::take(&mut self.named[array as usize][copy]);
         if !named.is_empty() {

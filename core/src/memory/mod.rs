@@ -11,4 +11,5 @@ pub use lend::Memory;
 pub use owned::OwnedMemory;
 pub use requirements::{Counts, LIST_WORDS, Requirements};
 pub use storage::{Arena, Storage};
+pub(crate) use views::Sorting;
 pub use views::{Arrays, Given, Scratch, State};

@@ -1,12 +1,15 @@
 //! How much memory a scene needs, array by array.
+use super::views::SORTING_WORDS;
 use crate::layout::{Model, TABLE_WORDS};
 use crate::plan::Plan;
-use crate::plan::arrays::{Array, Unit};
+use crate::plan::arrays::{Array, Class, Unit};
 use crate::validate::Checked;
 
 /// Words of the neighbour lists for each particle: one for its group's range, and two neighbours in each other one. A group whose list
 /// does not fit searches its cells in each pass.
 pub const LIST_WORDS: usize = 21;
+
+const _: () = assert!(SORTING_WORDS <= LIST_WORDS, "what sorts particles lies where their lists come to lie");
 
 /// Words to which arrays in an arena are aligned: a cache line.
 pub(super) const LINE_WORDS: usize = 16;
@@ -100,9 +103,12 @@ impl Requirements {
         array.copies(&self.model)
     }
 
-    /// Bytes of an array, all of its copies.
+    /// Bytes of an array, all of its copies; none for one that shares those of the neighbour lists.
     #[must_use]
     pub fn bytes_of(&self, array: Array) -> usize {
+        if array.class() == Class::Sorting {
+            return 0;
+        }
         self.copies(array).saturating_mul(self.entries(array)).saturating_mul(array.words() * size_of::<u32>())
     }
 
@@ -114,6 +120,9 @@ impl Requirements {
 
     /// Bytes that an array takes of an arena, where each copy begins at a cache line.
     pub(super) fn arena_bytes_of(&self, array: Array) -> usize {
+        if array.class() == Class::Sorting {
+            return 0;
+        }
         let line = LINE_WORDS * size_of::<u32>();
         let copy = self.entries(array).saturating_mul(array.words() * size_of::<u32>());
         self.copies(array).saturating_mul(copy.div_ceil(line).saturating_mul(line))

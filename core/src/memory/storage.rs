@@ -27,12 +27,6 @@ pub struct Storage<const N: usize, const CELLS: usize, const PLACES: usize = 0> 
     density_pressure: [[f32x4; N]; 2],
     id: [[u32; N]; 2],
     slot_of_id: [[u32; N]; 2],
-    moved_position: [[f32x4; N]; 1],
-    moved_velocity: [[f32x4; N]; 1],
-    cell: [[u32; N]; 1],
-    rank: [[u32; N]; 1],
-    cell_members: [[u32; N]; 1],
-    source_slot: [[u32; N]; 1],
     neighbours: [[u32; LIST_WORDS]; N],
     grid_cells: [[u32; PLACES]; CELLS],
     grid_cell_counters: [u32; CELLS],
@@ -40,19 +34,13 @@ pub struct Storage<const N: usize, const CELLS: usize, const PLACES: usize = 0> 
 }
 
 /// The arrays that a storage has by name.
-const NAMED: [Array; 16] = [
+const NAMED: [Array; 10] = [
     Array::position,
     Array::velocity,
     Array::acceleration,
     Array::density_pressure,
     Array::id,
     Array::slot_of_id,
-    Array::moved_position,
-    Array::moved_velocity,
-    Array::cell,
-    Array::rank,
-    Array::cell_members,
-    Array::source_slot,
     Array::neighbours,
     Array::grid_cells,
     Array::grid_cell_counters,
@@ -71,12 +59,6 @@ impl<const N: usize, const CELLS: usize, const PLACES: usize> Storage<N, CELLS, 
             density_pressure: [[[0.0; 4]; N]; 2],
             id: [[0; N]; 2],
             slot_of_id: [[0; N]; 2],
-            moved_position: [[[0.0; 4]; N]; 1],
-            moved_velocity: [[[0.0; 4]; N]; 1],
-            cell: [[0; N]; 1],
-            rank: [[0; N]; 1],
-            cell_members: [[0; N]; 1],
-            source_slot: [[0; N]; 1],
             neighbours: [[0; LIST_WORDS]; N],
             grid_cells: [[0; PLACES]; CELLS],
             grid_cell_counters: [0; CELLS],
@@ -111,12 +93,6 @@ impl<const N: usize, const CELLS: usize, const PLACES: usize> Storage<N, CELLS, 
             .with(Array::density_pressure, each(&mut self.density_pressure))
             .with(Array::id, each(&mut self.id))
             .with(Array::slot_of_id, each(&mut self.slot_of_id))
-            .with(Array::moved_position, each(&mut self.moved_position))
-            .with(Array::moved_velocity, each(&mut self.moved_velocity))
-            .with(Array::cell, each(&mut self.cell))
-            .with(Array::rank, each(&mut self.rank))
-            .with(Array::cell_members, each(&mut self.cell_members))
-            .with(Array::source_slot, each(&mut self.source_slot))
             .with(Array::neighbours, [self.neighbours.as_flattened_mut()])
             .with(Array::grid_cells, [self.grid_cells.as_flattened_mut()])
             .with(Array::grid_cell_counters, [self.grid_cell_counters.as_mut_slice()])

@@ -10,6 +10,8 @@ macro_rules! views {
         State { $($(#[$state_doc:meta])* $state:ident as $quantity:ident: $state_type:ident per $state_unit:ident,
             if $state_exists:expr $(, constant if $constant:expr)? $(, from $state_from:ident $(@ $state_side:ident)?)?;)* }
         Index { $($(#[$index_doc:meta])* $index:ident: $index_type:ident per $index_unit:ident, if $index_exists:expr;)* }
+        Sorting { $($(#[$sorting_doc:meta])* $sorting:ident: $sorting_type:ident per $sorting_unit:ident,
+            if $sorting_exists:expr;)* }
         Scratch { $($(#[$scratch_doc:meta])* $scratch:ident: $scratch_type:ident per $scratch_unit:ident,
             if $scratch_exists:expr $(, from $from:ident $(@ $side:ident)?)?;)* }
         Given { $($(#[$given_doc:meta])* $given:ident: $given_type:ident per $given_unit:ident, if $given_exists:expr;)* }
@@ -25,6 +27,32 @@ macro_rules! views {
         view! {
             /// What steps only read.
             Given { $($(#[$given_doc])* $given: $given_type,)* }
+        }
+
+        /// What a step works in until the particles are sorted, in the memory of the neighbour lists, which are made after that.
+        #[derive(Debug)]
+        pub(crate) struct Sorting<'s> { $($(#[$sorting_doc])* pub $sorting: &'s mut [$sorting_type],)* }
+
+        /// Words that these take of each particle.
+        pub(super) const SORTING_WORDS: usize = 0 $(+ size_of::<$sorting_type>() / size_of::<u32>())*;
+
+        impl<'s> Sorting<'s> {
+            /// Its arrays in this memory.
+            pub(crate) fn of(lists: &'s mut [u32], particles: usize) -> Sorting<'s> {
+                let mut rest = lists;
+                Sorting { $($sorting: {
+                    let words = particles * size_of::<$sorting_type>() / size_of::<u32>();
+                    bytemuck::cast_slice_mut(rest.split_off_mut(..words).unwrap_or_default())
+                },)* }
+            }
+
+            /// An array as words of four bytes; empty for one that is not among these.
+            pub(crate) fn words(&self, array: Array) -> &[u32] {
+                match array {
+                    $(Array::$sorting => bytemuck::cast_slice(self.$sorting),)*
+                    _ => &[],
+                }
+            }
         }
 
         impl State<'_> {
@@ -81,6 +109,15 @@ pub struct Arrays<'m> {
     pub scratch: Scratch<'m>,
     /// What steps only read.
     pub given: Given<'m>,
+    /// Words of the neighbour lists that a step may use as such.
+    pub(crate) list_words: usize,
+}
+
+impl Scratch<'_> {
+    /// Slot before the step of each of so many slots after it, until lists are made.
+    pub(crate) fn source_slot(&self, particles: usize) -> &[u32] {
+        self.neighbours.get(..particles).unwrap_or_default()
+    }
 }
 
 impl<'m> Memory<'m> {
@@ -91,6 +128,7 @@ impl<'m> Memory<'m> {
             states: [State::carve(&mut lender, 0)?, State::carve(&mut lender, 1)?],
             scratch: Scratch::carve(&mut lender, 0)?,
             given: Given::carve(&mut lender, 0)?,
+            list_words: lender.list_words(),
         })
     }
 }

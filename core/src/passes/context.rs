@@ -5,6 +5,14 @@ use crate::layout::{Materials, Model, Parameters, Status, StepUniform, Tables, f
 use crate::memory::{Given, Scratch, State};
 use crate::plan::schedule::Command;
 
+/// The arrays of a step that sort its particles: a macro, since a function would borrow all of the memory that a step works in.
+macro_rules! sorting {
+    ($step:ident) => {
+        $crate::memory::Sorting::of(&mut *$step.scratch.neighbours, $step.old.id.len())
+    };
+}
+pub(crate) use sorting;
+
 /// The constants of a step.
 #[derive(Clone, Copy)]
 pub(crate) struct Setup<'a> {
@@ -27,6 +35,8 @@ pub(crate) struct Step<'s, 'm, E> {
     pub new: &'s mut State<'m>,
     pub scratch: &'s mut Scratch<'m>,
     pub given: &'s Given<'m>,
+    /// Words of the neighbour lists that may be used.
+    pub list_words: usize,
     pub found: Found,
     /// The command that is being carried out.
     pub command: Command,

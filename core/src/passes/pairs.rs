@@ -12,7 +12,7 @@ use crate::layout::{Model, f32x4};
 /// The lists of a step: a macro for the same reason as [`particles`](super::local::particles).
 macro_rules! lists {
     ($step:ident) => {
-        $crate::passes::lists::Lists::new(&*$step.scratch.neighbours, $step.new.id.len())
+        $crate::passes::lists::Lists::new(&$step.scratch.neighbours[..$step.list_words], $step.new.id.len())
     };
 }
 pub(crate) use lists;

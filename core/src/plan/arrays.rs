@@ -9,6 +9,7 @@ use crate::terms::integrate::{has_history, needs_earlier, needs_predicted_veloci
 /// - `State`: what a step makes and the next one reads. There are two of each, of which one is the fluid; one that a scene never
 ///   changes (`constant`) there is once.
 /// - `Index`: which slot a particle lies in. Two of each, but slots are nobody's business: neither compared nor saved.
+/// - `Sorting`: what a step works in until the particles are sorted. On the CPU these lie where the neighbour lists come to lie after them.
 /// - `Scratch`: what a step works in and forgets.
 /// - `Given`: what is made at the start, or set by the host, and only read by steps.
 macro_rules! with_arrays {
@@ -45,7 +46,9 @@ macro_rules! with_arrays {
                 /// Slot of each particle, by id.
                 slot_of_id: u32 per Particle, if |_| true;
             }
-            Scratch {
+            Sorting {
+                /// Slot before the step of each slot after it.
+                source_slot: u32 per Particle, if |_| true;
                 /// Positions at which the forces are evaluated, m, in the slots before the step; w: mass.
                 moved_position: f32x4 per Particle, if |_| true;
                 /// Velocities that forces are evaluated with, m/s, in the slots before the step; w: material.
@@ -54,16 +57,16 @@ macro_rules! with_arrays {
                 cell: u32 per Particle, if |_| true;
                 /// How many of its cell were counted before it.
                 rank: u32 per Particle, if |_| true;
+                /// Slots before the step, cell by cell, in no order inside a cell. Only with the index sort.
+                cell_members: u32 per Particle, if |m| m.cell_places == 0;
+            }
+            Scratch {
                 /// Particles of each cell (the CUDA design's counters).
                 grid_cell_counters: u32 per Cell, if |_| true;
                 /// Slots before the step of the particles in each cell, a fixed number of places a cell. Only with cell lists.
                 grid_cells: u32 per CellPlace, if |m| m.cell_places > 0;
                 /// First slot of each cell.
                 cell_start: u32 per Cell, if |_| true;
-                /// Slots before the step, cell by cell, in no order inside a cell. Only with the index sort.
-                cell_members: u32 per Particle, if |m| m.cell_places == 0;
-                /// Slot before the step of each slot after it.
-                source_slot: u32 per Particle, if |_| true;
                 /// Neighbour lists of groups of particles: their ranges, then the codes of the neighbours, two a word.
                 neighbours: u32 per NeighbourWord, if |_| true;
                 /// Density and pressures before the step, in the slots after it. Only where a step needs them.
@@ -124,6 +127,8 @@ pub enum Class {
     State,
     /// The same, of where particles lie in memory.
     Index,
+    /// A step works in it until the particles are sorted.
+    Sorting,
     /// A step works in it.
     Scratch,
     /// Steps only read it.

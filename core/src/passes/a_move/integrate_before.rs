@@ -5,8 +5,8 @@ use crate::arithmetic::level::Work;
 use crate::arithmetic::real::real;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::layout::f32x4;
-use crate::memory::State;
-use crate::passes::context::{Setup, Step};
+use crate::memory::{Sorting, State};
+use crate::passes::context::{Setup, Step, sorting};
 use crate::passes::lanes::{load, load_if_any, row_of, store_xyz};
 use crate::terms::integrate::{drift, moved, velocity_for_forces, wrap};
 use crate::terms::wall::only_if_free;
@@ -23,7 +23,7 @@ struct Job<'a> {
 /// Fills `moved_position` and `moved_velocity`.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (setup, executor, old) = (step.setup, step.executor, step.old);
-    let (mut positions, mut velocities) = (&mut *step.scratch.moved_position, &mut *step.scratch.moved_velocity);
+    let Sorting { moved_position: mut positions, moved_velocity: mut velocities, .. } = sorting!(step);
     let mut jobs = Jobs::new();
     for slots in shares(old.id.len(), parts(executor)) {
         let (moved_position, moved_velocity) = (take(&mut positions, slots.len()), take(&mut velocities, slots.len()));

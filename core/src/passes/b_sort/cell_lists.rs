@@ -1,13 +1,15 @@
 //! The CUDA design's cells (S0 section 4.4.2): each particle takes a place of its cell. Only with cell lists.
 use crate::layout::NONE;
-use crate::passes::context::Step;
+use crate::memory::Sorting;
+use crate::passes::context::{Step, sorting};
 
 /// Fills `grid_cells`; notes a cell that has too few places.
 pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) {
-    let (s, places) = (&mut *step.scratch, step.setup.model.cell_places);
+    let Sorting { cell, rank, .. } = sorting!(step);
     let status = &mut step.found.status;
-    status.cell_full = fill(s.cell, s.rank, places, s.grid_cells);
-    status.cell_count = if status.cell_full == NONE { 0 } else { s.grid_cell_counters[status.cell_full as usize] };
+    status.cell_full = fill(cell, rank, step.setup.model.cell_places, step.scratch.grid_cells);
+    let counters = &*step.scratch.grid_cell_counters;
+    status.cell_count = if status.cell_full == NONE { 0 } else { counters[status.cell_full as usize] };
 }
 
 /// Fills `grid_cells`, `places` a cell; returns the smallest cell that has too few, or [`NONE`].

@@ -5,7 +5,8 @@
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::grid::cell_of;
 use crate::layout::{NONE, f32x4};
-use crate::passes::context::{Setup, Step};
+use crate::memory::Sorting;
+use crate::passes::context::{Setup, Step, sorting};
 use crate::passes::lanes::is_dormant;
 
 struct Job<'a> {
@@ -19,11 +20,11 @@ struct Job<'a> {
 
 /// Fills `cell`, `rank` and the counters.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
-    let s = &mut *step.scratch;
-    let moved = [&*s.moved_position, &*s.moved_velocity];
-    step.found.status.out_of_range = find(step.setup, step.executor, moved, step.old.id, s.cell);
+    let Sorting { moved_position, moved_velocity, cell, rank, .. } = sorting!(step);
+    step.found.status.out_of_range =
+        find(step.setup, step.executor, [moved_position, moved_velocity], step.old.id, cell);
     if step.found.status.out_of_range == NONE {
-        count(s.cell, s.rank, s.grid_cell_counters);
+        count(cell, rank, step.scratch.grid_cell_counters);
     }
 }
 

@@ -1,6 +1,7 @@
 //! An array into the slots after the step, so that members of a cell stand side by side. Runs once for each array that a step sorts.
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::layout::f32x4;
+use crate::memory::Sorting;
 use crate::passes::context::Step;
 use crate::plan::arrays::{Class, Side};
 use crate::plan::schedule::Command;
@@ -15,13 +16,13 @@ struct Job<'a> {
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let Step { old, new, scratch, executor, command, .. } = step;
     let Command::Gather { from: (from, side), to } = *command else { return };
-    let source_slot = core::mem::take(&mut scratch.source_slot);
-    match (side, to.class()) {
-        (Side::Old, Class::Scratch) => moved(*executor, source_slot, old.words(from), scratch.words_mut(to)),
-        (Side::Old, _) => moved(*executor, source_slot, old.words(from), new.words_mut(to)),
-        (_, _) => moved(*executor, source_slot, scratch.words(from), new.words_mut(to)),
-    }
-    scratch.source_slot = source_slot;
+    // apart from what the step works in, of which another array may be written
+    let lists = core::mem::take(&mut scratch.neighbours);
+    let sorting = Sorting::of(lists, old.id.len());
+    let from = if side == Side::Old { old.words(from) } else { sorting.words(from) };
+    let to = if to.class() == Class::Scratch { scratch.words_mut(to) } else { new.words_mut(to) };
+    moved(*executor, sorting.source_slot, from, to);
+    scratch.neighbours = lists;
 }
 
 /// `to[slot] = from[source_slot[slot]]`.

@@ -1,10 +1,11 @@
 //! Each particle into the slots of its cell (S1 section 6.2). Only with the index sort.
-use crate::passes::context::Step;
+use crate::memory::Sorting;
+use crate::passes::context::{Step, sorting};
 
 /// Fills `cell_members`.
 pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) {
-    let s = &mut *step.scratch;
-    scatter(s.cell, s.rank, s.cell_start, s.cell_members);
+    let Sorting { cell, rank, cell_members, .. } = sorting!(step);
+    scatter(cell, rank, step.scratch.cell_start, cell_members);
 }
 
 /// Fills `members` with the slot of each particle.

@@ -4,8 +4,10 @@
 //!
 //! Insertion sort: a cell holds few particles, and most of them stood in this order before.
 use crate::executor::{Executor, Jobs, parts, take};
-use crate::grid::{Cells, is_limbo};
-use crate::passes::context::Step;
+use crate::grid::is_limbo;
+use crate::memory::Sorting;
+use crate::passes::context::{Step, sorting};
+use crate::passes::pairs::cells;
 use core::ops::Range;
 
 struct Job<'a> {
@@ -17,12 +19,12 @@ struct Job<'a> {
 
 /// Fills `source_slot` and `id`.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
-    let (setup, old_id, s) = (step.setup, &*step.old.id, &mut *step.scratch);
+    let (setup, old_id) = (step.setup, &*step.old.id);
     let places = setup.model.cell_places as usize;
-    let (cell_members, grid_cells) = (&*s.cell_members, &*s.grid_cells);
-    let cells = Cells { start: s.cell_start, counter: s.grid_cell_counters };
-    let cell_of = &*s.cell;
-    let (mut sources, mut ids) = (&mut *s.source_slot, &mut *step.new.id);
+    let Sorting { source_slot: mut sources, cell: cell_of, cell_members, .. } = sorting!(step);
+    let (cell_of, cell_members, grid_cells) = (&*cell_of, &*cell_members, &*step.scratch.grid_cells);
+    let cells = cells!(step);
+    let mut ids = &mut *step.new.id;
     let mut jobs = Jobs::new();
     for (share, slots) in cells.shares(parts(step.executor), old_id.len()) {
         let (source_slot, id) = (take(&mut sources, slots.len()), take(&mut ids, slots.len()));

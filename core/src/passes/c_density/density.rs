@@ -27,7 +27,8 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let pass = Density { previous: step.scratch.previous_density_pressure };
     let out = &mut *step.new.density_pressure;
     if setup.model.sums_distances() {
-        listing::run(setup, executor, particles, cells, step.scratch.neighbours, &pass, out);
+        let lists = &mut step.scratch.neighbours[..step.list_words];
+        listing::run(setup, executor, particles, cells, lists, &pass, out);
     } else {
         pairs::run(setup, executor, particles, cells, lists!(step), &pass, out);
     }

@@ -12,7 +12,15 @@ use crate::passes::pairs::cells;
 /// Fills `neighbours`.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (setup, particles, cells) = (step.setup, particles!(step but density), cells!(step));
-    listing::run(setup, step.executor, particles, cells, step.scratch.neighbours, &NoVisit, &mut []);
+    listing::run(
+        setup,
+        step.executor,
+        particles,
+        cells,
+        &mut step.scratch.neighbours[..step.list_words],
+        &NoVisit,
+        &mut [],
+    );
 }
 
 /// Nothing else is done with them.
