@@ -59,9 +59,10 @@ pub use error::{RestoreError, SceneError, StepError};
 pub use executor::{Executor, Serial};
 #[cfg(feature = "alloc")]
 pub use memory::OwnedMemory;
-pub use memory::{Arena, Memory, Requirements, Storage};
+pub use memory::{Arena, LIST_WORDS, Memory, Requirements, Storage};
 pub use particle::Particle;
 pub use passes::g_finish::commit::verdict;
+pub use passes::lists::ListReport;
 pub use plan::Plan;
 pub use plan::arrays::{Array, Quantity};
 pub use plan::passes::Pass;

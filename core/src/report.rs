@@ -3,11 +3,12 @@ use crate::arithmetic::real::vec3;
 use crate::grid::{Cells, Stencil, cell_of, is_limbo};
 use crate::hash::tree_sum;
 use crate::layout::f32x4;
-use crate::memory::Sorting;
+use crate::memory::{Arrays, Sorting};
 use crate::passes::b_sort::count::count;
 use crate::passes::b_sort::scan::scan;
 use crate::passes::b_sort::scatter::scatter;
 use crate::passes::lanes::{is_dormant, kind};
+use crate::passes::lists::{ListReport, Lists};
 use crate::solver::Solver;
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use crate::terms::support::support_close;
@@ -175,6 +176,14 @@ impl Solver<'_> {
         let mut pairs = 0u64;
         self.visit_pairs(|solver, a, _| pairs += u64::from(!solver.is_wall(a)));
         pairs as f64 / fluid.max(1) as f64
+    }
+
+    /// How full the neighbour lists of the last step are. Their memory serves other reports too: ask right after a step.
+    #[must_use]
+    pub fn lists(&self) -> ListReport {
+        let Arrays { scratch, list_words, .. } = &self.memory;
+        let particles = self.slots().len();
+        Lists::new(&scratch.neighbours[..*list_words], particles).report(particles)
     }
 
     /// Particles of the fullest cell: cell lists with fewer places would refuse this state.

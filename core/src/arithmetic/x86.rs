@@ -147,8 +147,8 @@ macro_rules! vector {
             }
             #[inline(always)]
             fn compress(to: (&mut [u32], &mut [f32]), used: usize, codes: &[u32], numbers: Self, mask: $mask) -> usize {
-                let to = (&mut to.0[used..][..$lanes], &mut to.1[used..][..$lanes]);
-                used + unsafe { $by::compress(to, &codes[..$lanes], numbers.0, mask) }
+                let (to, to_numbers) = (&mut to.0[used..][..$lanes], &mut to.1[used..][..$lanes]);
+                used + unsafe { $by::compress(to, to_numbers, &codes[..$lanes], numbers.0, mask) }
             }
             #[inline(always)]
             fn permute(column: &[f32; FEW], index: Self) -> Self {
@@ -218,12 +218,18 @@ mod sse {
 
     /// One by one: SSE2 cannot move lanes by a mask.
     #[inline(always)]
-    pub(super) unsafe fn compress(to: (&mut [u32], &mut [f32]), codes: &[u32], numbers: __m128, mask: __m128) -> usize {
+    pub(super) unsafe fn compress(
+        to: &mut [u32],
+        to_numbers: &mut [f32],
+        codes: &[u32],
+        numbers: __m128,
+        mask: __m128,
+    ) -> usize {
         let mask = unsafe { _mm_movemask_ps(mask) } as usize;
         let numbers: [f32; 4] = bytemuck::cast(numbers);
         let mut used = 0;
         for (i, (code, number)) in codes.iter().zip(numbers).enumerate() {
-            (to.0[used], to.1[used]) = (*code, number);
+            (to[used], to_numbers[used]) = (*code, number);
             used += mask >> i & 1;
         }
         used
@@ -241,15 +247,15 @@ mod sse {
 mod avx {
     use super::*;
 
-    /// For each mask the lanes where it holds, in front, four bits a lane.
-    const FRONT: [u32; 256] = {
+    /// For each mask the lanes where it holds, in front, a byte each.
+    static FRONT: [u64; 256] = {
         let mut table = [0; 256];
         let mut mask = 0;
         while mask < 256 {
             let (mut lane, mut used) = (0, 0);
             while lane < 8 {
                 if mask >> lane & 1 == 1 {
-                    table[mask] |= (lane as u32) << (4 * used);
+                    table[mask] |= (lane as u64) << (8 * used);
                     used += 1;
                 }
                 lane += 1;
@@ -291,15 +297,19 @@ mod avx {
     }
 
     #[inline(always)]
-    pub(super) unsafe fn compress(to: (&mut [u32], &mut [f32]), codes: &[u32], numbers: __m256, mask: __m256) -> usize {
+    pub(super) unsafe fn compress(
+        to: &mut [u32],
+        to_numbers: &mut [f32],
+        codes: &[u32],
+        numbers: __m256,
+        mask: __m256,
+    ) -> usize {
         unsafe {
             let mask = _mm256_movemask_ps(mask) as usize;
-            let nibbles = _mm256_set1_epi32(FRONT[mask & 255] as i32);
-            // a permutation looks at the lowest three bits of each lane only
-            let front = _mm256_srlv_epi32(nibbles, _mm256_setr_epi32(0, 4, 8, 12, 16, 20, 24, 28));
+            let front = _mm256_cvtepu8_epi32(_mm_loadl_epi64(core::ptr::from_ref(&FRONT[mask & 255]).cast()));
             let codes = _mm256_loadu_si256(codes.as_ptr().cast());
-            _mm256_storeu_si256(to.0.as_mut_ptr().cast(), _mm256_permutevar8x32_epi32(codes, front));
-            _mm256_storeu_ps(to.1.as_mut_ptr(), _mm256_permutevar8x32_ps(numbers, front));
+            _mm256_storeu_si256(to.as_mut_ptr().cast(), _mm256_permutevar8x32_epi32(codes, front));
+            _mm256_storeu_ps(to_numbers.as_mut_ptr(), _mm256_permutevar8x32_ps(numbers, front));
             mask.count_ones() as usize
         }
     }
@@ -367,15 +377,16 @@ mod avx512 {
 
     #[inline(always)]
     pub(super) unsafe fn compress(
-        to: (&mut [u32], &mut [f32]),
+        to: &mut [u32],
+        to_numbers: &mut [f32],
         codes: &[u32],
         numbers: __m512,
         mask: __mmask16,
     ) -> usize {
         unsafe {
             let codes = _mm512_loadu_si512(codes.as_ptr().cast());
-            _mm512_storeu_si512(to.0.as_mut_ptr().cast(), _mm512_mask_compress_epi32(codes, mask, codes));
-            _mm512_storeu_ps(to.1.as_mut_ptr(), _mm512_mask_compress_ps(numbers, mask, numbers));
+            _mm512_storeu_si512(to.as_mut_ptr().cast(), _mm512_mask_compress_epi32(codes, mask, codes));
+            _mm512_storeu_ps(to_numbers.as_mut_ptr(), _mm512_mask_compress_ps(numbers, mask, numbers));
             mask.count_ones() as usize
         }
     }

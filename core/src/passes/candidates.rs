@@ -100,17 +100,19 @@ impl Candidates {
     ) -> usize {
         let (m, p) = (setup.model, setup.parameters);
         let x_a = vec3::<R>::splat(x);
-        let lanes = self.count.next_multiple_of(R::LANES);
+        let lanes = R::LANES;
+        let places = self.x.chunks_exact(lanes).zip(self.y.chunks_exact(lanes)).zip(self.z.chunks_exact(lanes));
+        let all = places.zip(self.support.chunks_exact(lanes)).zip(self.code.chunks_exact(lanes));
         let mut used = 0;
-        for at in (0..lanes).step_by(R::LANES) {
+        for ((((x, y), z), support_b), code) in all.take(self.count.div_ceil(lanes)) {
             if used > ROOM - R::LANES {
                 return ROOM;
             }
-            let x_b = vec3(R::read(&self.x[at..]), R::read(&self.y[at..]), R::read(&self.z[at..]));
-            let support_b = if m.variable_support == 1 { R::read(&self.support[at..]) } else { real(1.0) };
+            let x_b = vec3(R::read(x), R::read(y), R::read(z));
+            let support_b = if m.variable_support == 1 { R::read(support_b) } else { real(1.0) };
             let scale = pair_scale(m, real(support), support_b);
             let q2 = squared_ratio(m, p, separation(m, p, x_a, x_b), scale);
-            used = R::append((codes, q2s), used, &self.code[at..], q2, less(q2, real(1.0)));
+            used = R::append((codes, q2s), used, code, q2, less(q2, real(1.0)));
         }
         used
     }

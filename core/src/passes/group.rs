@@ -57,7 +57,7 @@ macro_rules! fold {
 }
 pub(crate) use fold;
 
-impl<'a> Group<'a> {
+impl Group<'_> {
     /// What the pair terms know of the receivers.
     #[inline(always)]
     pub(crate) fn receivers<R: Lanes>(&self) -> Local<R> {

@@ -135,7 +135,7 @@ impl<V: Visit> Job<'_, V> {
                 // a step with such a particle ends before
                 Err(_) => Gathered { members: slot..slot + 1, own_shift: 0, are_windows_new: false },
             };
-            near.fits &= !are_windows_new || slot % GROUP == 0;
+            near.fits &= !are_windows_new || slot.is_multiple_of(GROUP);
             let until = members.end.min(end);
             for a in slot..until {
                 let i = a % GROUP;

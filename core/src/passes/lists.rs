@@ -37,6 +37,19 @@ fn parts(memory: &[u32], particles: usize) -> (&[[u32; RANGE]], &[u16]) {
     (ranges.as_chunks().0, bytemuck::cast_slice(codes))
 }
 
+/// How full the neighbour lists of a step are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ListReport {
+    /// Groups of four particles.
+    pub groups: usize,
+    /// Those whose lists fit; the others search their cells in each pass.
+    pub listed: usize,
+    /// Pairs that are listed, a particle with itself among them.
+    pub pairs: u64,
+    /// Places of the lists that lanes work on, those among them that hold no pair.
+    pub places: u64,
+}
+
 /// The lists, to be read.
 #[derive(Clone, Copy)]
 pub(crate) struct Lists<'a> {
@@ -63,6 +76,17 @@ impl<'a> Lists<'a> {
     pub(crate) fn new(memory: &'a [u32], particles: usize) -> Lists<'a> {
         let (ranges, codes) = parts(memory, particles);
         Lists { ranges, codes }
+    }
+
+    /// How full they are.
+    pub(crate) fn report(&self, particles: usize) -> ListReport {
+        let mut report = ListReport { groups: groups(particles), listed: 0, pairs: 0, places: 0 };
+        for listed in (0..report.groups).filter_map(|group| self.of(group)) {
+            report.listed += 1;
+            report.pairs += listed.counts.iter().map(|&count| u64::from(count)).sum::<u64>();
+            report.places += listed.codes.len() as u64;
+        }
+        report
     }
 
     /// Those of a group; none where it is not listed.
@@ -94,11 +118,11 @@ pub(crate) struct Filling<'a> {
 }
 
 /// The memory of the lists in shares of so many groups each.
-pub(crate) fn share<'a>(
-    memory: &'a mut [u32],
+pub(crate) fn share(
+    memory: &mut [u32],
     particles: usize,
     shares: impl Iterator<Item = Range<usize>>,
-) -> impl Iterator<Item = (Range<usize>, Filling<'a>)> {
+) -> impl Iterator<Item = (Range<usize>, Filling<'_>)> {
     let all = groups(particles);
     let (ranges, codes) = memory.split_at_mut_checked(RANGE * all).unwrap_or((&mut [], &mut []));
     let mut ranges = ranges.as_chunks_mut().0;
@@ -177,16 +201,12 @@ impl Filling<'_> {
         if !fits || longest > MOST_LISTED || self.codes.len() < (self.filled + needed) * CHUNK {
             return;
         }
-        let windows = match self.written {
-            Some(at) => at,
-            None => {
-                let at = self.filled;
-                self.codes[at * CHUNK..][..CHUNK].copy_from_slice(bytemuck::cast_slice(&self.windows));
-                self.written = Some(at);
-                self.filled += 1;
-                at
-            }
-        };
+        let windows = self.written.unwrap_or(self.filled);
+        if self.written.is_none() {
+            self.codes[windows * CHUNK..][..CHUNK].copy_from_slice(bytemuck::cast_slice(&self.windows));
+            self.written = Some(windows);
+            self.filled += 1;
+        }
         for ((codes, count), own) in codes.iter_mut().zip(counts).zip(own) {
             // no more than to the end of the longest, but a number of entries that the compiler knows
             let mut from = count;

@@ -9,7 +9,7 @@ mod field;
 mod group;
 pub(crate) mod lanes;
 mod listing;
-mod lists;
+pub(crate) mod lists;
 mod local;
 mod pairs;
 

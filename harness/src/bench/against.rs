@@ -1,0 +1,71 @@
+//! Two builds of this program, timed in turn: what a change of the code does to a step, on a machine that others use too.
+use super::Options;
+use crate::failure::Failure;
+use crate::output::deliver;
+use serde::Serialize;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+/// Result of `bench --against`.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Against {
+    /// Shortest step of each round, ms: this build's.
+    pub this: Vec<f64>,
+    /// The other's.
+    pub other: Vec<f64>,
+    /// The shortest of all, this build's over the other's.
+    pub ratio: f64,
+}
+
+/// Runs both, in turn.
+///
+/// # Errors
+/// A binary that does not start, fails, or says something else than a bench does.
+pub(super) fn execute(options: &Options, other: &Path) -> Result<bool, Failure> {
+    let this = std::env::current_exe().map_err(|e| Failure::System(format!("no path of this program: {e}")))?;
+    let arguments = arguments();
+    let (mut times, mut others) = (Vec::new(), Vec::new());
+    for _ in 0..options.rounds {
+        times.push(shortest_step(&this, &arguments)?);
+        others.push(shortest_step(other, &arguments)?);
+    }
+    let least = |times: &[f64]| times.iter().copied().fold(f64::INFINITY, f64::min);
+    let ratio = least(&times) / least(&others);
+    let words = format!(
+        "this build   {:8.3} ms a step at least\nthe other    {:8.3}\nratio        {ratio:8.3}\n",
+        least(&times),
+        least(&others)
+    );
+    deliver(&options.common, "against.txt", &Against { this: times, other: others, ratio }, &words)?;
+    Ok(true)
+}
+
+/// What this program was called with, less what the other build is not to do.
+fn arguments() -> Vec<String> {
+    let mut given = std::env::args().skip(1);
+    let mut kept = Vec::new();
+    while let Some(argument) = given.next() {
+        match argument.as_str() {
+            "--against" | "--rounds" | "--out" => {
+                given.next();
+            }
+            "--json" => {}
+            other if ["--against=", "--rounds=", "--out="].iter().any(|own| other.starts_with(own)) => {}
+            _ => kept.push(argument),
+        }
+    }
+    kept.push("--json".into());
+    kept
+}
+
+/// The shortest step of one run, ms.
+fn shortest_step(binary: &Path, arguments: &[String]) -> Result<f64, Failure> {
+    let failed = |why: String| Failure::System(format!("{}: {why}", binary.display()));
+    let run = Command::new(binary).args(arguments).stderr(Stdio::inherit()).output();
+    let output = run.map_err(|e| failed(e.to_string()))?;
+    if !output.status.success() {
+        return Err(failed(output.status.to_string()));
+    }
+    let document: serde_json::Value = serde_json::from_slice(&output.stdout).map_err(|e| failed(e.to_string()))?;
+    document["ms_per_step"]["min"].as_f64().ok_or_else(|| failed("its bench names no shortest step".into()))
+}

@@ -1,0 +1,113 @@
+//! Timing steps, pass by pass, on the CPU or on a device.
+use super::{Options, PassTime};
+use crate::failure::Failure;
+use crate::pool::Pool;
+use crate::snapshot::Snapshot;
+use crate::timing::timed;
+use millpond_core::{ListReport, Pass, Solver};
+use millpond_gpu::{Gpu, GpuError, GpuSolver, Mode};
+use std::time::Instant;
+
+/// What was timed.
+pub(super) struct Timed {
+    pub path: String,
+    pub steps: Vec<f64>,
+    pub passes: Vec<PassTime>,
+    pub ms_at_once: Option<f64>,
+    /// How full the neighbour lists were at the end; a device makes none.
+    pub lists: Option<ListReport>,
+    pub first: Snapshot,
+    pub last: Snapshot,
+}
+
+pub(super) fn time_cpu(
+    solver: &mut Solver<'_>,
+    pool: &Pool,
+    options: &Options,
+    bar: &indicatif::ProgressBar,
+) -> Result<Timed, Failure> {
+    for _ in 0..options.warm_up {
+        solver.step(pool)?;
+        bar.inc(1);
+    }
+    let first = Snapshot::of_cpu(solver);
+    let mut steps = Vec::new();
+    let mut shortest = Shortest::default();
+    for _ in 0..options.steps {
+        let mut marks: Vec<(Pass, Instant)> = Vec::with_capacity(Pass::ALL.len());
+        let (result, ms) = timed(|| solver.step_observed(pool, &mut |pass| marks.push((pass, Instant::now()))));
+        let end = Instant::now();
+        result?;
+        steps.push(ms);
+        let ends = marks.iter().skip(1).map(|(_, begin)| *begin).chain([end]);
+        let took = marks.iter().zip(ends).map(|((pass, begin), end)| (*pass, (end - *begin).as_secs_f64() * 1e3));
+        shortest.add_step(took);
+        bar.inc(1);
+    }
+    Ok(Timed {
+        path: format!("{:?}", solver.simd()).to_lowercase(),
+        steps,
+        passes: shortest.passes(),
+        ms_at_once: None,
+        lists: Some(solver.lists()),
+        first,
+        last: Snapshot::of_cpu(solver),
+    })
+}
+
+/// The shortest time of each pass over the steps.
+struct Shortest([f64; Pass::ALL.len()]);
+
+impl Default for Shortest {
+    fn default() -> Shortest {
+        Shortest([f64::INFINITY; Pass::ALL.len()])
+    }
+}
+
+impl Shortest {
+    /// Takes in the times of a step. A pass that runs more than once in it takes as long as all of its runs.
+    fn add_step(&mut self, times: impl Iterator<Item = (Pass, f64)>) {
+        let mut took = [None; Pass::ALL.len()];
+        for (pass, ms) in times {
+            *took[pass as usize].get_or_insert(0.0) += ms;
+        }
+        for (best, took) in self.0.iter_mut().zip(took) {
+            *best = took.map_or(*best, |took| best.min(took));
+        }
+    }
+
+    /// Those of the passes that ran.
+    fn passes(&self) -> Vec<PassTime> {
+        let ran = Pass::ALL.into_iter().zip(self.0).filter(|(_, ms)| ms.is_finite());
+        ran.map(|(pass, ms)| PassTime { name: pass.name(), ms }).collect()
+    }
+}
+
+pub(super) fn time_gpu(solver: &Solver<'_>, options: &Options, bar: &indicatif::ProgressBar) -> Result<Timed, Failure> {
+    let gpu = Gpu::open(None, Mode::Strict)?;
+    let mut solver = GpuSolver::new(&gpu, solver)?;
+    // the first step makes the driver compile
+    solver.step(options.warm_up.max(1))?;
+    bar.inc(u64::from(options.warm_up));
+    let first = Snapshot::of_gpu(&solver)?;
+    let mut steps = Vec::new();
+    for _ in 0..options.steps {
+        let (result, ms) = timed(|| solver.step(1));
+        result?;
+        steps.push(ms);
+        bar.inc(1);
+    }
+    let last = Snapshot::of_gpu(&solver)?;
+    let (result, ms) = timed(|| solver.step(options.steps));
+    result?;
+    let ms_at_once = Some(ms / f64::from(options.steps));
+    let mut shortest = Shortest::default();
+    for _ in 0..options.steps {
+        match solver.step_timed() {
+            Ok(times) => shortest.add_step(times.into_iter()),
+            Err(GpuError::NoPassTimes { .. } | GpuError::TooManyPasses { .. }) => break,
+            Err(error) => return Err(error.into()),
+        }
+    }
+    Ok(Timed { path: gpu.name(), steps, passes: shortest.passes(), ms_at_once, lists: None, first, last })
+}

@@ -1,0 +1,226 @@
+//! `bench`: how long a step takes, pass by pass.
+mod against;
+mod measure;
+mod structures;
+mod table;
+
+use crate::arguments::{BackendName, Common};
+use crate::census::{FirstLast, census};
+use crate::failure::Failure;
+use crate::fluid::start;
+use crate::output::{deliver, progress};
+use crate::pool::Pool;
+use crate::scenes::{Changes, Named, load};
+use crate::timing::Milliseconds;
+use measure::{time_cpu, time_gpu};
+use millpond_core::{Executor, OwnedMemory, Requirements, Simd};
+use serde::Serialize;
+use std::path::PathBuf;
+use structures::structures;
+use table::table;
+
+/// Options of `bench`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Options {
+    #[command(flatten)]
+    common: Common,
+    /// Steps to time
+    #[arg(long, default_value_t = 50, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    steps: u32,
+    /// Steps to make before
+    #[arg(long, default_value_t = 0, value_name = "N")]
+    warm_up: u32,
+    /// Where it runs
+    #[arg(long, value_enum, default_value = "cpu")]
+    backend: BackendName,
+    /// How the CPU computes (default: the best it can)
+    #[arg(long, value_enum)]
+    simd: Option<SimdName>,
+    /// Time the scene with both grid structures, in turn
+    #[arg(long, conflicts_with = "scaling")]
+    structures: bool,
+    /// Time the scene at 4096, 32768, 262144 and 1000000 particles and fit how the time grows with their number
+    #[arg(long, conflicts_with = "particles")]
+    scaling: bool,
+    /// Time another build of this program too, in turn with this one, and compare their shortest steps
+    #[arg(long, value_name = "BINARY", conflicts_with_all = ["scaling", "structures"])]
+    against: Option<PathBuf>,
+    /// How often each of the two is run
+    #[arg(long, default_value_t = 5, value_name = "N", requires = "against", value_parser = clap::value_parser!(u32).range(1..))]
+    rounds: u32,
+}
+
+/// A level of the CPU.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum SimdName {
+    /// One particle at a time.
+    Scalar,
+    /// Lanes in the target's base instructions.
+    Base,
+    /// Lanes in AVX2.
+    Avx2,
+    /// Lanes in AVX-512.
+    Avx512,
+}
+
+/// Result of `bench`.
+#[derive(Clone, Debug, Serialize)]
+pub struct Bench {
+    /// The scene.
+    pub scene: String,
+    /// Particles.
+    pub particles: usize,
+    /// Threads that worked.
+    pub threads: usize,
+    /// Level of the CPU, or the device.
+    pub simd: String,
+    /// Time of a step.
+    pub ms_per_step: Milliseconds,
+    /// Shortest time of each pass, on a GPU by the device's own clock; empty on a GPU that has none.
+    pub passes: Vec<PassTime>,
+    /// Time of a step, ms, where a GPU is given all steps at once and asked for nothing in between.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ms_per_step_at_once: Option<f64>,
+    /// Shortest step over the particles, ns.
+    pub ns_per_particle_step: f64,
+    /// Memory of the solver over the particles.
+    pub bytes_per_particle: f64,
+    /// Neighbours of a particle, itself counted.
+    pub average_neighbours: FirstLast,
+    /// Simulated time over the time it took, by the shortest step.
+    pub real_time_factor: f64,
+    /// The neighbour lists of the last step, on the CPU.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lists: Option<ListView>,
+    /// With `--structures`: the scene with either grid structure.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub structures: Vec<StructureTime>,
+    /// With `--scaling`: the sizes timed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scaling: Option<Scaling>,
+}
+
+/// Time of a pass.
+#[derive(Clone, Debug, Serialize)]
+pub struct PassTime {
+    /// Which.
+    pub name: &'static str,
+    /// Shortest, ms.
+    pub ms: f64,
+}
+
+/// How full the neighbour lists are.
+#[derive(Clone, Debug, Serialize)]
+pub struct ListView {
+    /// Groups of four particles.
+    pub groups: usize,
+    /// Those whose lists fit into memory.
+    pub listed: usize,
+    /// Share of the places of the lists that hold a pair: how full the lanes are.
+    pub filling: f64,
+    /// Listed pairs over the shortest step.
+    pub million_pairs_per_second: f64,
+}
+
+/// Time with a grid structure.
+#[derive(Clone, Debug, Serialize)]
+pub struct StructureTime {
+    /// Which.
+    pub structure: String,
+    /// Time of a step, steps with the two structures being taken in turn.
+    pub ms_per_step: Milliseconds,
+    /// Memory of the solver over the particles.
+    pub bytes_per_particle: f64,
+}
+
+/// How time grows with the number of particles.
+#[derive(Clone, Debug, Serialize)]
+pub struct Scaling {
+    /// Particles and shortest step, ms.
+    pub sizes: Vec<(usize, f64)>,
+    /// Exponent of the power law between the smallest and the largest.
+    pub exponent: f64,
+}
+
+/// Sizes of `--scaling`.
+const SCALING_SIZES: [u64; 4] = [4096, 32_768, 262_144, 1_000_000];
+
+/// Runs `bench`.
+///
+/// # Errors
+/// A scene that cannot run, a step that cannot be made.
+pub fn execute(options: &Options) -> Result<bool, Failure> {
+    if let Some(other) = &options.against {
+        return against::execute(options, other);
+    }
+    let result = if options.scaling {
+        let mut benches = Vec::new();
+        for particles in SCALING_SIZES {
+            let changes = Changes { particles: Some(particles), ..options.common.changes.clone() };
+            benches.push(bench(&load(&options.common.scene, &changes)?, options)?);
+        }
+        let sizes: Vec<(usize, f64)> = benches.iter().map(|b| (b.particles, b.ms_per_step.min)).collect();
+        let [(n0, t0), .., (n1, t1)] = sizes[..] else { return Err(Failure::Call("nothing to scale".into())) };
+        let exponent = (t1 / t0).ln() / (n1 as f64 / n0 as f64).ln();
+        let last = benches.pop().ok_or_else(|| Failure::Call("nothing to scale".into()))?;
+        Bench { scaling: Some(Scaling { sizes, exponent }), ..last }
+    } else {
+        bench(&load(&options.common.scene, &options.common.changes)?, options)?
+    };
+    deliver(&options.common, "bench.txt", &result, &table(&result))?;
+    Ok(true)
+}
+
+/// Times one scene.
+fn bench(named: &Named, options: &Options) -> Result<Bench, Failure> {
+    let scene = &named.checked()?;
+    let pool = Pool::new(options.common.threads)?;
+    let mut heap = OwnedMemory::of(scene);
+    let mut solver = start(&named.name, scene, &mut heap)?;
+    if let Some(name) = options.simd {
+        let simd = match name {
+            SimdName::Scalar => Simd::Scalar,
+            SimdName::Base => Simd::Base,
+            SimdName::Avx2 => Simd::Avx2,
+            SimdName::Avx512 => Simd::Avx512,
+        };
+        if options.backend == BackendName::Gpu || simd.or_best() != simd {
+            return Err(Failure::Call(format!("--simd {name:?} is not available here").to_lowercase()));
+        }
+        solver = solver.at_level(simd);
+    }
+    if options.structures && options.backend == BackendName::Gpu {
+        return Err(Failure::Call("--structures times the CPU alone: leave --backend gpu out".into()));
+    }
+    let simd = solver.simd();
+    let bar = progress(&format!("bench {}", named.name), u64::from(options.warm_up) + u64::from(options.steps));
+    let timed = match options.backend {
+        BackendName::Cpu => time_cpu(&mut solver, &pool, options, &bar)?,
+        BackendName::Gpu => time_gpu(&solver, options, &bar)?,
+    };
+    bar.finish_and_clear();
+    let needs = Requirements::of(scene);
+    let ms_per_step = Milliseconds::of(&timed.steps);
+    let [first, last] = [&timed.first, &timed.last].map(|state| census(scene, state).map(|c| c.average_neighbours));
+    Ok(Bench {
+        scene: named.name.clone(),
+        particles: needs.counts.particles,
+        threads: pool.width(),
+        simd: timed.path,
+        ms_per_step,
+        passes: timed.passes,
+        ms_per_step_at_once: timed.ms_at_once,
+        ns_per_particle_step: ms_per_step.min * 1e6 / needs.counts.particles.max(1) as f64,
+        bytes_per_particle: needs.bytes() as f64 / needs.counts.particles.max(1) as f64,
+        average_neighbours: FirstLast { first: first?, last: last? },
+        real_time_factor: f64::from(timed.last.clock.time_step) * 1e3 / ms_per_step.min,
+        lists: timed.lists.map(|lists| ListView {
+            groups: lists.groups,
+            listed: lists.listed,
+            filling: lists.pairs as f64 / lists.places.max(1) as f64,
+            million_pairs_per_second: lists.pairs as f64 / ms_per_step.min * 1e-3,
+        }),
+        structures: if options.structures { structures(named, simd, &pool, options)? } else { Vec::new() },
+        scaling: None,
+    })
+}
