@@ -22,8 +22,10 @@ pub(crate) const FEW: usize = 16;
 
 /// The slot of a particle for each lane, all of them below the number of particles.
 pub(crate) struct Slots {
-    /// In bytes of rows.
-    offsets: Offsets,
+    /// In bytes of rows: those in use, and those that are made ready meanwhile.
+    offsets: [Offsets; 2],
+    /// Which are in use.
+    turn: usize,
     particles: usize,
 }
 
@@ -40,16 +42,23 @@ impl Slots {
     #[inline(always)]
     pub(crate) fn first(particles: usize) -> Slots {
         assert!(particles > 0 && particles < 1 << (u32::BITS - ROW_BITS), "offsets have 32 bits");
-        Slots { offsets: Offsets([0; MOST_LANES]), particles }
+        Slots { offsets: [Offsets([0; MOST_LANES]); 2], turn: 0, particles }
     }
 
-    /// Those that the codes of as many lanes as `R` has stand for.
+    /// Makes those ready that the codes of as many lanes as `R` has stand for.
     ///
     /// # Panics
     /// Where one is no particle's.
     #[inline(always)]
-    pub(crate) fn decode<R: Lanes>(&mut self, codes: &[u16], windows: &Windows) {
-        assert!(R::decode(codes, windows, &mut self.offsets, self.particles as u32), "a list names nobody");
+    pub(crate) fn prepare<R: Lanes>(&mut self, codes: &[u16], windows: &Windows) {
+        let ready = &mut self.offsets[(self.turn ^ 1) & 1];
+        assert!(R::decode(codes, windows, ready, self.particles as u32), "a list names nobody");
+    }
+
+    /// Goes on to those that were made ready.
+    #[inline(always)]
+    pub(crate) fn advance(&mut self) {
+        self.turn ^= 1;
     }
 
     /// These.
@@ -58,7 +67,7 @@ impl Slots {
     /// Where one is no particle's.
     pub(crate) fn set(&mut self, slots: &[u32; MOST_LANES]) {
         assert!(slots.iter().all(|&slot| (slot as usize) < self.particles), "a search found nobody");
-        self.offsets = Offsets(slots.map(|slot| slot << ROW_BITS));
+        self.offsets[self.turn] = Offsets(slots.map(|slot| slot << ROW_BITS));
     }
 
     #[inline(always)]
@@ -68,7 +77,7 @@ impl Slots {
     )]
     fn offset(&self, lane: usize) -> usize {
         // SAFETY: it is a number that this value owns
-        unsafe { core::ptr::from_ref(&self.offsets.0[lane]).read_volatile() as usize }
+        unsafe { core::ptr::from_ref(&self.offsets[self.turn & 1].0[lane]).read_volatile() as usize }
     }
 
     /// That of a lane.

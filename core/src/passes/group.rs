@@ -46,7 +46,7 @@ macro_rules! fold {
         // apart from the walk, which would have to lie in memory with them
         let mut cursors = $crate::passes::group::Cursors::default();
         let mut slots = $crate::arithmetic::lanes::Slots::first($group.particles.position.len());
-        let mut walk = $crate::passes::group::Walk::<$R>::of($group);
+        let mut walk = $crate::passes::group::Walk::<$R>::of($group, &mut slots);
         while walk.next(&mut slots, &mut cursors) {
             let $slots = &slots;
             let parts: [$R; 4] = $parts;
@@ -93,8 +93,10 @@ pub(crate) struct Walk<'a, R> {
     last: usize,
     /// The codes from the group's first receiver on.
     listed: Option<Listed<'a>>,
-    /// The next of them.
+    /// Those after the ones that are ready.
     next: usize,
+    /// Are any ready?
+    is_ready: bool,
     /// How many neighbours of each receiver came before those in the lanes, and how many there are of each.
     before: usize,
     count: R,
@@ -103,7 +105,7 @@ pub(crate) struct Walk<'a, R> {
 impl<'a, R: Lanes> Walk<'a, R> {
     /// From the first neighbours on.
     #[inline(always)]
-    pub(crate) fn of(group: &Group<'a>) -> Self {
+    pub(crate) fn of(group: &Group<'a>, slots: &mut Slots) -> Self {
         let receiver = group.first % GROUP;
         let mut listed = group.lists.of(group.first / GROUP);
         let mut count = real(0.0);
@@ -113,26 +115,43 @@ impl<'a, R: Lanes> Walk<'a, R> {
             count = R::from_lanes(|lane| f32::from(counts[(receiver + lane / R::NEIGHBOURS) % GROUP]));
         }
         let Group { surroundings, first, last, .. } = *group;
-        Walk { surroundings, first, last, listed, next: 0, before: 0, count }
+        let mut walk = Walk { surroundings, first, last, listed, next: 0, is_ready: false, before: 0, count };
+        walk.prepare(slots);
+        walk
     }
 
-    /// Goes on to the next neighbours; false where there are none.
+    /// Goes on to the next neighbours; false where there are none. Their slots were made ready while the ones before were worked on:
+    /// a processor does not look far enough ahead to do so by itself.
     #[inline(always)]
     pub(crate) fn next(&mut self, slots: &mut Slots, cursors: &mut Cursors) -> bool {
-        let Some(listed) = &self.listed else {
-            let lanes = [R::RECEIVERS, R::NEIGHBOURS];
-            let Some(found) = search(self.surroundings, [self.first, self.last], cursors, lanes) else { return false };
-            slots.set(&found.slots);
-            self.count = R::from_lanes(|lane| found.counts[lane / R::NEIGHBOURS] as f32);
+        if self.is_ready {
+            // a chunk after the other, or the places of a receiver in them
+            self.before = self.next / CHUNK * GROUP + self.next % GROUP;
+            self.next +=
+                if self.next % GROUP + R::NEIGHBOURS == GROUP { CHUNK + R::NEIGHBOURS - GROUP } else { R::NEIGHBOURS };
+            slots.advance();
+            self.prepare(slots);
             return true;
-        };
-        let Some(codes) = listed.codes.get(self.next..).filter(|codes| codes.len() >= R::LANES) else { return false };
-        slots.decode::<R>(codes, listed.windows);
-        // a chunk after the other, or the places of a receiver in them
-        let place = self.next % GROUP + R::NEIGHBOURS;
-        self.before = self.next / CHUNK * GROUP + self.next % GROUP;
-        self.next += if place == GROUP { CHUNK + R::NEIGHBOURS - GROUP } else { R::NEIGHBOURS };
+        }
+        if self.listed.is_some() {
+            return false;
+        }
+        let lanes = [R::RECEIVERS, R::NEIGHBOURS];
+        let Some(found) = search(self.surroundings, [self.first, self.last], cursors, lanes) else { return false };
+        slots.set(&found.slots);
+        self.count = R::from_lanes(|lane| found.counts[lane / R::NEIGHBOURS] as f32);
         true
+    }
+
+    /// Makes the slots of the next neighbours ready, if there are any.
+    #[inline(always)]
+    fn prepare(&mut self, slots: &mut Slots) {
+        self.is_ready = false;
+        let Some(listed) = &self.listed else { return };
+        if let Some(codes) = listed.codes.get(self.next..).filter(|codes| codes.len() >= R::LANES) {
+            slots.prepare::<R>(codes, listed.windows);
+            self.is_ready = true;
+        }
     }
 
     /// Zeros in the lanes that hold no pair.

@@ -56,10 +56,12 @@ impl Particles<'_> {
     /// The neighbours in the lanes.
     #[inline(always)]
     pub(crate) fn neighbours<R: Lanes>(&self, setup: &Setup<'_>, slots: &Slots) -> Local<R> {
+        // positions first: distances, and their roots, take longest
+        let position = R::gather(self.position, slots);
         let velocity = R::gather(self.velocity, slots);
         let density_pressure = if self.is_known() { R::gather(self.density_pressure, slots) } else { nothing() };
         let support = self.supports_of(setup, slots);
-        local(setup, R::gather(self.position, slots), velocity, density_pressure, support)
+        local(setup, position, velocity, density_pressure, support)
     }
 
     /// Are densities known?
