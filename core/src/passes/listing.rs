@@ -109,6 +109,13 @@ impl<V: Visit> Job<'_, V> {
         if model.is_plain() { simd.run(Plain(self)) } else { simd.run(General(self)) }
     }
 
+    /// The same for what no usual scene does.
+    #[inline(always)]
+    pub(crate) fn run_general(&mut self) {
+        let simd = self.surroundings.setup.simd;
+        simd.run(General(self));
+    }
+
     /// All groups by this model, parts of which the compiler may know.
     #[inline(always)]
     fn run_by<R: Lanes>(&mut self, model: Model) {

@@ -108,6 +108,13 @@ impl<P: PairPass> Job<'_, P> {
         if model.is_plain() { simd.run(Plain(self)) } else { simd.run(General(self)) }
     }
 
+    /// The same for a pass that no usual scene runs.
+    #[inline(always)]
+    pub(crate) fn run_general(&mut self) {
+        let simd = self.surroundings.setup.simd;
+        simd.run(General(self));
+    }
+
     /// All groups by this model, parts of which the compiler may know.
     #[inline(always)]
     fn run_by<R: Lanes>(&mut self, model: Model) {

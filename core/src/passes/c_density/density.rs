@@ -82,7 +82,8 @@ impl<R: Lanes> Receivers<'_, R> {
 
 impl PairPass for Density<'_> {
     fn work(job: &mut Job<'_, Self>) {
-        job.run();
+        // usual scenes sum distances
+        job.run_general();
     }
 
     fn absent(&self, setup: &Setup<'_>, own: &mut [f32x4]) {

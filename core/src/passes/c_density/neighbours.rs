@@ -28,7 +28,8 @@ struct NoVisit;
 
 impl Visit for NoVisit {
     fn work(job: &mut Job<'_, Self>) {
-        job.run();
+        // usual scenes sum distances
+        job.run_general();
     }
 
     #[inline(always)]

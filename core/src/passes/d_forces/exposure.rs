@@ -21,7 +21,8 @@ struct Exposure;
 
 impl PairPass for Exposure {
     fn work(job: &mut Job<'_, Self>) {
-        job.run();
+        // usual scenes have no air
+        job.run_general();
     }
 
     #[inline(always)]
