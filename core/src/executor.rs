@@ -35,13 +35,13 @@ pub trait Executor {
     /// How many jobs may run at once.
     fn width(&self) -> usize;
 
-    /// Does `work` once for each of `jobs`, in any order, and returns when all are done. Optimised, a job takes some 40 KB of stack: the
-    /// candidates of a cell, and the neighbours of four particles.
+    /// Does `work` once for each of `jobs`, in any order, and returns when all are done. Optimised, a job takes some 40
+    /// KB of stack: the candidates of a cell, and the neighbours of four particles.
     fn run<J: Send>(&self, jobs: &mut [J], work: impl Fn(&mut J) + Sync);
 
-    /// Does `step`, which is a whole time step and calls [`Executor::run`] for each of its passes. The default does it on the calling
-    /// thread. Where handing jobs to a pool from outside costs more than from one of its own threads, do it on one of those: a step
-    /// then enters the pool once, and not in every pass.
+    /// Does `step`, which is a whole time step and calls [`Executor::run`] for each of its passes. The default does it
+    /// on the calling thread. Where handing jobs to a pool from outside costs more than from one of its own threads, do
+    /// it on one of those: a step then enters the pool once, and not in every pass.
     fn enter<T: Send>(&self, step: impl FnOnce(&Self) -> T + Send) -> T {
         step(self)
     }

@@ -17,6 +17,7 @@ pub mod text;
 pub mod words;
 
 mod buffers;
+mod functions;
 mod open;
 mod pass_times;
 mod pipelines;

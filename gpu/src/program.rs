@@ -1,12 +1,11 @@
 //! The complete WGSL of a pass: prelude, layout, choices, terms, arrays, loop, entry point.
 use crate::bindings::{CELL_BLOCK, declarations, reads_pairs, workgroup};
-use crate::text::wgsl_of;
+use crate::functions::Functions;
 use millpond_core::Pass;
 use millpond_core::layout::{
     MATERIALS, MOST_ATTEMPTS, Materials, Model, PLANES, Parameters, QUANTITIES_OF_ID, StepUniform, TABLE_ENTRIES,
     TABLE_WORDS,
 };
-use millpond_core::terms::texts;
 
 /// Where division and root come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,6 +53,11 @@ millpond_core::with_passes!(loop_texts);
 /// The vocabulary and all terms, without a pass: what a test of a single term needs.
 #[must_use]
 pub fn library(model: &Model, words: Words) -> String {
+    vocabulary(model, words) + &Functions::of_terms().whole()
+}
+
+/// The vocabulary, the scene's constants and its choices.
+fn vocabulary(model: &Model, words: Words) -> String {
     let mut out = words.prelude();
     out += &format!("alias Planes = array<f32x4, {PLANES}>;\nalias MaterialRows = array<f32x4, {MATERIALS}>;\n");
     out +=
@@ -70,16 +74,13 @@ pub fn library(model: &Model, words: Words) -> String {
     out += Model::WGSL;
     let choices: Vec<String> = bytemuck::cast_slice::<_, u32>(&[*model]).iter().map(|c| format!("{c}u")).collect();
     out += &format!("const m = Model({});\n", choices.join(", "));
-    for (_, text) in texts() {
-        out += &wgsl_of(text);
-    }
     out
 }
 
 /// The program of a pass, its entry point named `main`.
 #[must_use]
 pub fn program(pass: Pass, model: &Model, words: Words) -> String {
-    let mut out = library(model, words);
+    let mut out = vocabulary(model, words);
     out += include_str!("shaders/grid.wgsl");
     if reads_pairs(pass) {
         out += include_str!("shaders/local.wgsl");
@@ -91,5 +92,6 @@ pub fn program(pass: Pass, model: &Model, words: Words) -> String {
     out += "@compute @workgroup_size(WORKGROUP) fn main(\n  \
             @builtin(global_invocation_id) thread: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {\n  \
             pass_body(thread.x + thread.y * groups.x * WORKGROUP);\n}\n";
-    out
+    let terms = Functions::of_terms().called_in(&out);
+    out + &terms
 }

@@ -29,7 +29,13 @@ fn functions((module, info): &Program) -> impl Iterator<Item = (String, &Functio
 type Program = (Module, ModuleInfo);
 
 #[test]
-fn every_pass_compiles_as_wgsl() {
+fn every_pass_and_every_term_compiles_as_wgsl() {
+    for words in [Words::Native, Words::Exact] {
+        // a program has the terms that it calls
+        if let Err(error) = validate(&library(&model(), words)) {
+            panic!("all terms, {words:?}: {error}");
+        }
+    }
     for pass in Pass::ALL {
         for words in [Words::Native, Words::Exact] {
             if let Err(error) = validate(&program(pass, &model(), words)) {
@@ -76,6 +82,10 @@ fn loose(program: &Program) -> BTreeSet<String> {
 
 #[test]
 fn no_program_uses_a_loose_builtin() {
+    for words in [Words::Native, Words::Exact] {
+        let read = validate(&library(&model(), words)).expect("it compiles");
+        assert_eq!(loose(&read), BTreeSet::new(), "all terms, {words:?}");
+    }
     for pass in Pass::ALL {
         for words in [Words::Native, Words::Exact] {
             let read = validate(&program(pass, &model(), words)).expect("it compiles");

@@ -1,6 +1,6 @@
-//! Lanes as receivers by neighbours. In each block of four lanes stand four neighbours of one particle, the receiver, whose own numbers
-//! are the same in all four: so nearly every lane holds a pair. The terms do not know of it; sums are added up in the order of the
-//! neighbours, one after the other, so that no level changes a bit.
+//! Lanes as receivers by neighbours. In each block of four lanes stand four neighbours of one particle, the receiver,
+//! whose own numbers are the same in all four: so nearly every lane holds a pair. The terms do not know of it; sums are
+//! added up in the order of the neighbours, one after the other, so that no level changes a bit.
 use super::blocks::Blocks;
 use super::real::{Real, vec3};
 use crate::layout::f32x4;
@@ -131,8 +131,8 @@ pub(crate) trait Lanes: Real {
     fn write(self, to: &mut [f32]);
     /// Fills in the slots that codes stand for. False where one is not below the limit.
     fn decode(codes: &[u16], windows: &Windows, offsets: &mut Offsets, limit: u32) -> bool;
-    /// Appends those of the codes and numbers in whose lanes the mask holds; returns how many there are then. There must be room for all
-    /// lanes.
+    /// Appends those of the codes and numbers in whose lanes the mask holds; returns how many there are then. There
+    /// must be room for all lanes.
     fn append(to: (&mut [u32], &mut [f32]), used: usize, codes: &[u32], numbers: Self, mask: Self::Mask) -> usize;
     /// Entries of a column, by a whole number below its length.
     fn pick(column: &[f32; FEW], index: Self) -> Self;

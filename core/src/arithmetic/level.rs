@@ -24,7 +24,8 @@ pub enum Simd {
     Avx512,
 }
 
-/// Work that can be done in any kind of number: what a pass is to [`Simd`]. `run` must be `#[inline(always)]`, or it is compiled for the base level.
+/// Work that can be done in any kind of number: what a pass is to [`Simd`]. `run` must be `#[inline(always)]`, or it is
+/// compiled for the base level.
 pub(crate) trait Work {
     /// Does it.
     fn run<R: Lanes>(self);
@@ -69,8 +70,8 @@ impl Simd {
     }
 }
 
-/// A function of its own for each level: without optimisation the places of all that is compiled into one lie side by side on
-/// the stack, and those of two levels are more than a thread has.
+/// A function of its own for each level: without optimisation the places of all that is compiled into one lie side by
+/// side on the stack, and those of two levels are more than a thread has.
 #[inline(never)]
 fn run_by<R: Lanes, W: Work>(work: W) {
     work.run::<R>();
@@ -84,7 +85,8 @@ fn run_avx2<W: Work>(work: W) {
     fn vector<W: Work>(work: W) {
         work.run::<super::x86::Avx>();
     }
-    // SAFETY: `Solver` takes its level through `or_best`, which grants AVX2 only where cpuid and xgetbv show all that is enabled here.
+    // SAFETY: `Solver` takes its level through `or_best`, which grants AVX2 only where cpuid and xgetbv show all that
+    // is enabled here.
     unsafe { vector(work) }
 }
 
@@ -112,8 +114,8 @@ fn run_avx512<W: Work>(work: W) {
     run_by::<Base, W>(work);
 }
 
-/// Are there AVX2 and AVX-512? Intel's manual, volume 1, 14.7.1 and 15.2: they count where the processor has them and the system saves
-/// their registers.
+/// Are there AVX2 and AVX-512? Intel's manual, volume 1, 14.7.1 and 15.2: they count where the processor has them and
+/// the system saves their registers.
 #[cfg(target_arch = "x86_64")]
 #[expect(unsafe_code, reason = "xgetbv faults where the system has not enabled it")]
 fn extensions() -> [bool; 2] {

@@ -1,5 +1,5 @@
-//! Four numbers side by side in a plain array, for processors whose vectors have no file of their own here: LLVM finds instructions for
-//! them where it can.
+//! Four numbers side by side in a plain array, for processors whose vectors have no file of their own here: LLVM finds
+//! instructions for them where it can.
 use super::blocks::Blocks;
 use super::lanes::{FEW, Offsets, ROW_BITS, Windows, slot};
 use super::real::Real;

@@ -1,7 +1,8 @@
-//! Numbers side by side in the vector registers of x86-64: four in one of SSE's, which every such processor has, eight in one of AVX's,
-//! sixteen in one of AVX-512's.
+//! Numbers side by side in the vector registers of x86-64: four in one of SSE's, which every such processor has, eight
+//! in one of AVX's, sixteen in one of AVX-512's.
 //!
-//! Written in intrinsics: a compiler that is left to find vectors in arrays takes ten times as long, and does not always find them.
+//! Written in intrinsics: a compiler that is left to find vectors in arrays takes ten times as long, and does not
+//! always find them.
 #![expect(clippy::undocumented_unsafe_blocks, reason = "what makes all of them sound is said once, at the macro")]
 #![expect(unsafe_code, reason = "vector instructions are only to be had as intrinsics")]
 use super::blocks::Blocks;
@@ -14,9 +15,9 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 /// Declares a vector: its register, lanes and masks, and the instruction of each operation.
 ///
-/// SAFETY of all that it expands to: the intrinsics need nothing but the processor's instructions, and of memory as many bytes as the
-/// slices were seen to have. SSE2 is part of every x86-64; vectors of AVX and AVX-512 are made only inside of what `level::run_avx2` and
-/// `level::run_avx512` run, where the processor was seen to have it.
+/// SAFETY of all that it expands to: the intrinsics need nothing but the processor's instructions, and of memory as
+/// many bytes as the slices were seen to have. SSE2 is part of every x86-64; vectors of AVX and AVX-512 are made only
+/// inside of what `level::run_avx2` and `level::run_avx512` run, where the processor was seen to have it.
 macro_rules! vector {
     ($(#[$doc:meta])* $name:ident: $register:ty, $lanes:literal lanes, masks: $mask:ty, by $by:ident,
         $set:ident $add:ident $sub:ident $mul:ident $div:ident $root:ident $xor:ident $and_not:ident

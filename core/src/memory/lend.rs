@@ -4,8 +4,8 @@ use crate::error::SceneError;
 use crate::plan::arrays::Array;
 use bytemuck::Pod;
 
-/// Memory lent to a solver: some arrays by name, as [`Storage`](super::Storage) does, all others in an arena. It may be larger than a
-/// scene needs.
+/// Memory lent to a solver: some arrays by name, as [`Storage`](super::Storage) does, all others in an arena. It may be
+/// larger than a scene needs.
 #[derive(Debug)]
 pub struct Memory<'m> {
     named: [[&'m mut [u32]; 2]; Array::COUNT],
@@ -35,8 +35,8 @@ impl<'m> Memory<'m> {
         self
     }
 
-    /// The same with so many words for neighbour lists at most, 0 for none: they save time and never change a bit, since a group whose
-    /// list does not fit searches its cells.
+    /// The same with so many words for neighbour lists at most, 0 for none: they save time and never change a bit,
+    /// since a group whose list does not fit searches its cells.
     #[must_use]
     pub fn with_neighbour_words(self, most: usize) -> Memory<'m> {
         Memory { most_neighbour_words: most, ..self }

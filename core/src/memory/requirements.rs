@@ -5,8 +5,8 @@ use crate::plan::Plan;
 use crate::plan::arrays::{Array, Class, Unit};
 use crate::validate::Checked;
 
-/// Words of the neighbour lists for each particle: one for its group's range, and two neighbours in each other one. A group whose list
-/// does not fit searches its cells in each pass.
+/// Words of the neighbour lists for each particle: one for its group's range, and two neighbours in each other one. A
+/// group whose list does not fit searches its cells in each pass.
 pub const LIST_WORDS: usize = 21;
 
 const _: () = assert!(SORTING_WORDS <= LIST_WORDS, "what sorts particles lies where their lists come to lie");

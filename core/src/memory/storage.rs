@@ -1,14 +1,15 @@
 //! Memory as preallocated static arrays, to be lent to the solver.
 //!
-//! [`Storage`] and [`Arena`] are all zero, so as a `static` they lie in .bss and cost the binary nothing. The solver itself only sees
-//! slices of any origin, and so is compiled once for every capacity.
+//! [`Storage`] and [`Arena`] are all zero, so as a `static` they lie in .bss and cost the binary nothing. The solver
+//! itself only sees slices of any origin, and so is compiled once for every capacity.
 use super::lend::Memory;
 use super::requirements::{LIST_WORDS, Requirements};
 use crate::layout::f32x4;
 use crate::plan::arrays::Array;
 
-/// Memory for `N` particles and `CELLS` cells, with `PLACES` places a cell for cell lists (0, the default, for the index sort): the
-/// arrays that every scene has, by name. What only some choices need comes from an [`Arena`] beside it.
+/// Memory for `N` particles and `CELLS` cells, with `PLACES` places a cell for cell lists (0, the default, for the
+/// index sort): the arrays that every scene has, by name. What only some choices need comes from an [`Arena`] beside
+/// it.
 ///
 /// As a `static`, or made by `Storage::boxed`, it never meets the stack, which a large one would overflow.
 ///

@@ -29,7 +29,8 @@ macro_rules! views {
             Given { $($(#[$given_doc])* $given: $given_type,)* }
         }
 
-        /// What a step works in until the particles are sorted, in the memory of the neighbour lists, which are made after that.
+        /// What a step works in until the particles are sorted, in the memory of the neighbour lists, which are made
+        /// after that.
         #[derive(Debug)]
         pub(crate) struct Sorting<'s> { $($(#[$sorting_doc])* pub $sorting: &'s mut [$sorting_type],)* }
 

@@ -1,4 +1,5 @@
-//! Who may be a neighbour of a cell's particles: all in the cells around it, coordinate by coordinate, so that lanes can try them.
+//! Who may be a neighbour of a cell's particles: all in the cells around it, coordinate by coordinate, so that lanes
+//! can try them.
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::real::{less, real, vec3};
 use crate::layout::f32x4;
@@ -88,8 +89,8 @@ impl Candidates {
         self.x[self.count..self.count + SPARE].fill(FAR);
     }
 
-    /// Writes the codes of the neighbours of a particle at `x`, and their `q^2`; returns how many there are. Where it runs out of room, it
-    /// returns how much that was.
+    /// Writes the codes of the neighbours of a particle at `x`, and their `q^2`; returns how many there are. Where it
+    /// runs out of room, it returns how much that was.
     #[inline(always)]
     pub(crate) fn near<R: Lanes>(
         &self,

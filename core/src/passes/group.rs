@@ -1,4 +1,5 @@
-//! Receivers side by side, and the walk over their neighbours: from the lists, or where those did not fit by a search of the cells.
+//! Receivers side by side, and the walk over their neighbours: from the lists, or where those did not fit by a search
+//! of the cells.
 use super::context::Setup;
 use super::lanes::is_wall;
 use super::lists::{CHUNK, GROUP, Listed, Lists};
@@ -10,8 +11,8 @@ use crate::layout::f32x4;
 use crate::terms::pair::{Local, pair_scale, separation, squared_ratio};
 use crate::terms::wall::MIRRORED;
 
-/// Where a group stands, for the search of its cells. It is memory of its own: what a function gets that is not compiled into its caller, the
-/// compiler cannot take for constant any more.
+/// Where a group stands, for the search of its cells. It is memory of its own: what a function gets that is not
+/// compiled into its caller, the compiler cannot take for constant any more.
 #[derive(Clone, Copy)]
 pub(crate) struct Surroundings<'a> {
     pub setup: Setup<'a>,
@@ -30,8 +31,8 @@ pub(crate) struct Group<'a> {
     pub last: usize,
 }
 
-/// Folds what the neighbours of a group add: four sums a receiver, each in the order of its neighbours, in all of the receiver's lanes. Where
-/// a particle `adds nothing to itself`, but zeros, the lanes that hold no pair need no mask.
+/// Folds what the neighbours of a group add: four sums a receiver, each in the order of its neighbours, in all of the
+/// receiver's lanes. Where a particle `adds nothing to itself`, but zeros, the lanes that hold no pair need no mask.
 ///
 /// A macro, since a closure cannot be told to be compiled into its caller, at its caller's SIMD level.
 macro_rules! fold {
@@ -120,8 +121,8 @@ impl<'a, R: Lanes> Walk<'a, R> {
         walk
     }
 
-    /// Goes on to the next neighbours; false where there are none. Their slots were made ready while the ones before were worked on:
-    /// a processor does not look far enough ahead to do so by itself.
+    /// Goes on to the next neighbours; false where there are none. Their slots were made ready while the ones before
+    /// were worked on: a processor does not look far enough ahead to do so by itself.
     #[inline(always)]
     pub(crate) fn next(&mut self, slots: &mut Slots, cursors: &mut Cursors) -> bool {
         if self.is_ready {

@@ -1,5 +1,5 @@
-//! Finding neighbours: cell by cell the candidates are gathered once, tried by each particle of the cell, and those that are near are listed,
-//! group by group.
+//! Finding neighbours: cell by cell the candidates are gathered once, tried by each particle of the cell, and those
+//! that are near are listed, group by group.
 use super::candidates::Candidates;
 use super::context::Setup;
 use super::group::{Group, Surroundings};
@@ -234,8 +234,8 @@ impl<V: Visit> Job<'_, V> {
 }
 
 impl Near {
-    /// Folds the squared distances of some of the group's particles, from the `first` on: four sums of each, in the order of its
-    /// neighbours. A macro would do what this does; it needs no closure that holds vectors.
+    /// The next squared distances, from the `k`-th on, of as many of the group's particles as there are receivers, from
+    /// the `first` on.
     #[inline(always)]
     pub(crate) fn q2_of<R: Lanes>(&self, first: usize, k: usize) -> R {
         R::numbers(|receiver| &self.q2[(first + receiver) % GROUP][k..])

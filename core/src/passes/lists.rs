@@ -1,9 +1,10 @@
 //! How the neighbours of a group of four particles lie in memory: a range for each group, then the codes of all.
 //!
-//! The codes of a group stand as they are read: four neighbours of its first particle, four of the second, of the third and of the fourth,
-//! then the next four of each. A list that is shorter than the longest of the four is filled up with the particle itself. A code of
-//! 16 bits is a window of slots and a place in it; the first slots of the windows stand before the codes of the first group that
-//! uses them. A group whose lists do not fit is not listed, and searches its cells in every pass.
+//! The codes of a group stand as they are read: four neighbours of its first particle, four of the second, of the third
+//! and of the fourth, then the next four of each. A list that is shorter than the longest of the four is filled up with
+//! the particle itself. A code of 16 bits is a window of slots and a place in it; the first slots of the windows stand
+//! before the codes of the first group that uses them. A group whose lists do not fit is not listed, and searches its
+//! cells in every pass.
 use crate::arithmetic::lanes::{WINDOW_BITS, WINDOWS, Windows};
 use core::ops::Range;
 
@@ -19,8 +20,8 @@ pub(crate) const CHUNK: usize = 16;
 /// Room for the neighbours of a particle while they are being found.
 pub(crate) const ROOM: usize = MOST_LISTED + CHUNK;
 
-/// Words of a range: where the codes begin, in chunks; where their windows stand, likewise; the longest list; the length of each in a
-/// byte.
+/// Words of a range: where the codes begin, in chunks; where their windows stand, likewise; the longest list; the
+/// length of each in a byte.
 const RANGE: usize = 4;
 
 /// Length of a list that there is not.
@@ -148,7 +149,8 @@ pub(crate) fn share(
 }
 
 impl Filling<'_> {
-    /// What a slot of this run differs by from its code, in a window that there is or a new one; nothing where there is no more room for one.
+    /// What a slot of this run differs by from its code, in a window that there is or a new one; nothing where there is
+    /// no more room for one.
     #[inline(always)]
     pub(crate) fn shift(&mut self, run: &Range<usize>) -> Option<u32> {
         let (first, last) = (run.start as u32, run.end.max(1) as u32 - 1);

@@ -27,8 +27,8 @@ pub(crate) use cells;
 
 /// A pass that makes one entry a particle of what its neighbours add up to.
 pub(crate) trait PairPass: Sync + Sized {
-    /// Does a job: `job.run()`. Written out in each pass, and so compiled once, in this crate: what is generic is compiled again
-    /// in every program that brings an executor of its own.
+    /// Does a job: `job.run()`. Written out in each pass, and so compiled once, in this crate: what is generic is
+    /// compiled again in every program that brings an executor of its own.
     fn work(job: &mut Job<'_, Self>);
 
     /// Fills the entries of a group. Returns a count, of which `run` takes the largest.
@@ -81,8 +81,8 @@ pub(crate) fn present(setup: &Setup<'_>, cells: Cells<'_>, particles: usize) -> 
     if setup.model.air == 1 { last } else { particles }
 }
 
-/// Work on the usual scenes, and work on all others. Each is a function of its own at each level: unoptimised, the two in one would take
-/// more stack than a thread of a host may have.
+/// Work on the usual scenes, and work on all others. Each is a function of its own at each level: unoptimised, the two
+/// in one would take more stack than a thread of a host may have.
 pub(crate) struct Plain<'j, J>(pub &'j mut J);
 pub(crate) struct General<'j, J>(pub &'j mut J);
 

@@ -1,10 +1,10 @@
-//! The table of arrays: name, element type, what there is one entry for, what it is for, and when it exists. Views, memory
-//! requirements, buffers and bindings of a device, comparisons and saved bytes all follow from it.
+//! The table of arrays: name, element type, what there is one entry for, what it is for, and when it exists. Views,
+//! memory requirements, buffers and bindings of a device, comparisons and saved bytes all follow from it.
 use crate::layout::{Model, f32x4, u32x2, u32x4};
 use crate::terms::integrate::{has_history, needs_earlier, needs_predicted_velocity};
 
-/// Hands the table to a macro. A row is: name, for [`State`](crate::memory::State) the quantity that errors name, element type, unit,
-/// condition; and, for an array that a step sorts, the array that its entries come from.
+/// Hands the table to a macro. A row is: name, for [`State`](crate::memory::State) the quantity that errors name,
+/// element type, unit, condition; and, for an array that a step sorts, the array that its entries come from.
 ///
 /// - `State`: what a step makes and the next one reads. There are two of each, of which one is the fluid; one that a scene never
 ///   changes (`constant`) there is once.
@@ -20,7 +20,8 @@ macro_rules! with_arrays {
                 position as Position: f32x4 per Particle, if |_| true, from moved_position;
                 /// Velocity, m/s; w: material.
                 velocity as Velocity: f32x4 per Particle, if |_| true, from moved_velocity;
-                /// Acceleration at that position, m/s2; w: with a tension by curvature the curvature of the surface, 1/m.
+                /// Acceleration at that position, m/s2; w: with a tension by curvature the curvature of the surface,
+                /// 1/m.
                 acceleration as Acceleration: f32x4 per Particle, if |_| true;
                 /// Density over the rest density less one, pressure and near pressure in Pa, volume in m3
                 /// ([`QUANTITIES`](crate::layout::QUANTITIES)).
@@ -30,14 +31,14 @@ macro_rules! with_arrays {
                 /// Thermal energy, J/kg, and its rate, W/kg; z and w unused. Only where a scene keeps account of heat.
                 internal_energy as InternalEnergy: f32x4 per Particle, if |m| m.thermal_energy == 1,
                     from internal_energy@old;
-                /// Inward normal of the surface of a particle's fluid, 1/m; w: the surface's curvature by the Laplacian of the
-                /// colour, 1/m, where tension takes that. Only where normals are found.
+                /// Inward normal of the surface of a particle's fluid, 1/m; w: the surface's curvature by the Laplacian
+                /// of the colour, 1/m, where tension takes that. Only where normals are found.
                 normal as Normal: f32x4 per Particle, if |m| m.normals == 1;
-                /// What the integrator remembers of the steps before: the last displacement, m, or the acceleration before,
-                /// m/s2; w unused. Only with integrators that do.
+                /// What the integrator remembers of the steps before: the last displacement, m, or the acceleration
+                /// before, m/s2; w unused. Only with integrators that do.
                 history as History: f32x4 per Particle, if |m| has_history(m), from history@old;
-                /// Springs, those of each particle side by side: id of the particle at the other end, and as the bits of an
-                /// f32 the length at rest in m, negative once the spring is broken. Only with elastic fluids.
+                /// Springs, those of each particle side by side: id of the particle at the other end, and as the bits
+                /// of an f32 the length at rest in m, negative once the spring is broken. Only with elastic fluids.
                 spring_ends as SpringLength: u32x2 per SpringEnd, if |m| m.springs == 1, constant if |m| m.plastic == 0;
             }
             Index {
@@ -63,7 +64,8 @@ macro_rules! with_arrays {
             Scratch {
                 /// Particles of each cell (the CUDA design's counters).
                 grid_cell_counters: u32 per Cell, if |_| true;
-                /// Slots before the step of the particles in each cell, a fixed number of places a cell. Only with cell lists.
+                /// Slots before the step of the particles in each cell, a fixed number of places a cell. Only with cell
+                /// lists.
                 grid_cells: u32 per CellPlace, if |m| m.cell_places > 0;
                 /// First slot of each cell.
                 cell_start: u32 per Cell, if |_| true;
@@ -75,19 +77,21 @@ macro_rules! with_arrays {
                 support_ratio: f32 per Particle, if |m| m.variable_support == 1;
                 /// Acceleration but for pressure, m/s2; w as in the acceleration. Only where pressure is iterated.
                 non_pressure_acceleration: f32x4 per Particle, if |m| m.corrects_pressure();
-                /// Accelerations at the beginning of the step, in the slots after it, m/s2. Only with integrators that need them at
-                /// its end.
+                /// Accelerations at the beginning of the step, in the slots after it, m/s2. Only with integrators that
+                /// need them at its end.
                 start_acceleration: f32x4 per Particle, if |m| needs_earlier(m), from acceleration@old;
                 /// Velocities at the end of the step, m/s; w: material. Only where pairs need them before.
                 end_velocity: f32x4 per Particle, if |m| needs_predicted_velocity(m);
-                /// Gradient of the colour of all fluids together, 1/m; w: 1 where a particle of liquid is exposed, else 0. Only with
-                /// air.
+                /// Gradient of the colour of all fluids together, 1/m; w: 1 where a particle of liquid is exposed, else
+                /// 0. Only with air.
                 total_colour_gradient: f32x4 per Particle, if |m| m.air == 1;
-                /// 1 for a particle beside which one of air is wanted, else 0; behind these a queue for devices. Only with air.
+                /// 1 for a particle beside which one of air is wanted, else 0; behind these a queue for devices. Only
+                /// with air.
                 spawn_requested: u32 per SpawnRequest, if |m| m.air == 1;
             }
             Given {
-                /// By id: first of a particle's spring ends, how many, and as the bits of an f32 `k / (2 m)` in 1/s2; w unused.
+                /// By id: first of a particle's spring ends, how many, and as the bits of an f32 `k / (2 m)` in 1/s2; w
+                /// unused.
                 spring_ranges: u32x4 per Particle, if |m| m.springs == 1;
                 /// Kernels as tables, one after the other. Only where kernels are read from there.
                 kernel_tables: f32 per TableWord, if |m| m.reads_tables();

@@ -1,4 +1,5 @@
-//! Two builds of this program, timed in turn: what a change of the code does to a step, on a machine that others use too.
+//! Two builds of this program, timed in turn: what a change of the code does to a step, on a machine that others use
+//! too.
 use super::Options;
 use crate::failure::Failure;
 use crate::output::deliver;

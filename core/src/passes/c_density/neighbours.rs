@@ -1,5 +1,5 @@
-//! The neighbours of each particle, itself among them, in the order of its sums: all passes over pairs walk these lists. Where density
-//! follows from distances alone, they are found while it is summed, in the next pass.
+//! The neighbours of each particle, itself among them, in the order of its sums: all passes over pairs walk these
+//! lists. Where density follows from distances alone, they are found while it is summed, in the next pass.
 use crate::arithmetic::lanes::Lanes;
 use crate::executor::Executor;
 use crate::layout::f32x4;

@@ -1,0 +1,79 @@
+//! The terms as WGSL, function by function: a program gets those that it calls, and no driver reads the others.
+use crate::text::wgsl_of;
+use millpond_core::terms::texts;
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+
+/// A function of the terms.
+#[derive(Debug)]
+struct Function {
+    text: String,
+    /// The functions that it names.
+    calls: Vec<usize>,
+}
+
+/// All of them, by their names, and the constants beside them.
+#[derive(Debug)]
+pub(crate) struct Functions {
+    constants: String,
+    all: Vec<Function>,
+    by_name: BTreeMap<String, usize>,
+}
+
+impl Functions {
+    /// Those of the terms, read once.
+    pub(crate) fn of_terms() -> &'static Functions {
+        static TERMS: OnceLock<Functions> = OnceLock::new();
+        TERMS.get_or_init(|| Functions::read(texts().map(|(_, text)| wgsl_of(text))))
+    }
+
+    /// Those of these texts, in which a function ends with the first brace that begins a line.
+    fn read(texts: impl Iterator<Item = String>) -> Functions {
+        let mut functions = Functions { constants: String::new(), all: Vec::new(), by_name: BTreeMap::new() };
+        for text in texts {
+            let mut is_inside = false;
+            for line in text.lines() {
+                if let Some(rest) = line.strip_prefix("fn ") {
+                    let name = rest.split('(').next().unwrap_or_default();
+                    functions.by_name.insert(name.into(), functions.all.len());
+                    functions.all.push(Function { text: String::new(), calls: Vec::new() });
+                    is_inside = true;
+                }
+                let last = functions.all.last_mut().filter(|_| is_inside).map(|function| &mut function.text);
+                let to = last.unwrap_or(&mut functions.constants);
+                to.push_str(line);
+                to.push('\n');
+                is_inside &= line != "}";
+            }
+        }
+        let calls: Vec<Vec<usize>> = functions.all.iter().map(|function| functions.named_in(&function.text)).collect();
+        for (function, calls) in functions.all.iter_mut().zip(calls) {
+            function.calls = calls;
+        }
+        functions
+    }
+
+    /// The functions that a text names.
+    fn named_in(&self, text: &str) -> Vec<usize> {
+        let words = text.split(|c: char| !c.is_alphanumeric() && c != '_');
+        words.filter_map(|word| self.by_name.get(word).copied()).collect()
+    }
+
+    /// The constants, and the functions that a text calls, or those that these call, and so on.
+    pub(crate) fn called_in(&self, text: &str) -> String {
+        let mut is_called = vec![false; self.all.len()];
+        let mut rest = self.named_in(text);
+        while let Some(function) = rest.pop() {
+            if !std::mem::replace(&mut is_called[function], true) {
+                rest.extend(&self.all[function].calls);
+            }
+        }
+        let called = self.all.iter().zip(is_called).filter(|(_, is_called)| *is_called);
+        called.fold(self.constants.clone(), |text, (function, _)| text + &function.text)
+    }
+
+    /// All of them.
+    pub(crate) fn whole(&self) -> String {
+        self.all.iter().fold(self.constants.clone(), |text, function| text + &function.text)
+    }
+}
