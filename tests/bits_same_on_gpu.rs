@@ -3,7 +3,7 @@
 use millpond::compare::difference;
 use millpond::snapshot::Snapshot;
 use millpond_core::OwnedMemory;
-use millpond_core::scene::{Block, GridStructure, InitialParticle, Scene};
+use millpond_core::scene::{Block, Dimension, GridStructure, InitialParticle, Scene};
 use millpond_core::{Plan, Requirements, Serial, Simd, Solver};
 use millpond_gpu::{GpuSolver, Mode};
 
@@ -38,6 +38,23 @@ fn for_500_steps_of_the_thesis_cube() {
 }
 
 #[test]
+fn with_more_cells_than_one_work_group_sums_up() {
+    // 4096 cells a block, and 256 blocks that the threads of a group go through at once
+    for (name, cells) in
+        [("thesis-cube", [17, 17, 17]), ("thesis-cube", [20, 21, 22]), ("dam-break-2d", [1100, 1000, 1])]
+    {
+        let mut scene = support::scaled(name, 600).file.scene;
+        scene.grid.structure = GridStructure::IndexSort;
+        scene.grid.cells = cells;
+        check(&format!("bits_same_on_gpu, {name} in {cells:?} cells"), &scene, 20, 5);
+    }
+    // with air one cell more than these: the block of the inactive particles is one of its own
+    let mut scene = support::air::drop(Dimension::Three, 200);
+    scene.grid.cells = [16, 16, 16];
+    check("bits_same_on_gpu, air beyond a block", &scene, 20, 5);
+}
+
+#[test]
 fn for_no_particle_and_for_one() {
     let mut scene = support::scaled("dam-break-2d", 800).file.scene;
     scene.blocks.clear();
@@ -51,8 +68,7 @@ fn for_no_particle_and_for_one() {
 
 #[test]
 fn for_a_pair_at_the_very_edge_of_the_support() {
-    // at this distance the squared q rounds to 1 and the root of the squared distance over H to less: three in a cell,
-    // so that a lane meets a neighbour that only another lane sees
+    // at this distance the squared q rounds to 1 and the root of the squared distance over H to less
     let mut scene = support::scene("thesis-cube", &["particle_spacing=0.027", "average_neighbours=32"]).file.scene;
     scene.blocks.clear();
     let apart: f32 = 0.053_176_23;

@@ -135,7 +135,7 @@ fn bytes_that_are_not_its_own_are_refused_by_name() {
         (Vec::new(), RestoreError::NotSaved),
         (vec![7; own.len()], RestoreError::NotSaved),
         (damaged, RestoreError::Damaged),
-        (newer, RestoreError::WrongVersion { given: 2, known: 1 }),
+        (newer, RestoreError::WrongVersion { given: 3, known: 2 }),
         (saved(&other), RestoreError::AnotherScene),
     ];
     for (bytes, want) in cases {

@@ -178,12 +178,13 @@ impl Solver<'_> {
         pairs as f64 / fluid.max(1) as f64
     }
 
-    /// How full the neighbour lists of the last step are. Their memory serves other reports too: ask right after a step.
+    /// How full the neighbour lists of the last step are. None after a step that failed, and once a report has sorted the
+    /// particles in the memory of the lists: ask for this one first.
     #[must_use]
-    pub fn lists(&self) -> ListReport {
+    pub fn lists(&self) -> Option<ListReport> {
         let Arrays { scratch, list_words, .. } = &self.memory;
         let particles = self.slots().len();
-        Lists::new(&scratch.neighbours[..*list_words], particles).report(particles)
+        self.has_lists.then(|| Lists::new(&scratch.neighbours[..*list_words], particles).report(particles))
     }
 
     /// Particles of the fullest cell: cell lists with fewer places would refuse this state.
@@ -198,6 +199,7 @@ impl Solver<'_> {
     /// Slots by cell and id, into `source_slot`. Walls move particles after a step has sorted them, and a failed step leaves
     /// the cells of its attempt behind.
     fn sort_again(&mut self) {
+        self.has_lists = false;
         let (m, p) = (self.plan().model, *self.parameters());
         let current = self.current_index();
         let state = &self.memory.states[current];

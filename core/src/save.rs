@@ -15,7 +15,7 @@ use crate::solver::Solver;
 const MAGIC: u32 = u32::from_le_bytes(*b"MPND");
 
 /// Version of the bytes. It changes with whatever is written.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 
 /// Words before the record: magic, version, the fingerprint of the scene, and the hash of all that follows.
 const HEAD_WORDS: usize = 6;

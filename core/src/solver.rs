@@ -55,6 +55,8 @@ pub struct Solver<'m> {
     pub(crate) air_refused: u64,
     /// Which of the two states is the fluid; the other is where a step is tried.
     pub(crate) current: usize,
+    /// Are the neighbour lists of the last step still in memory?
+    pub(crate) has_lists: bool,
     requirements: Requirements,
     fingerprint: u64,
     pub(crate) memory: Arrays<'m>,
@@ -104,6 +106,7 @@ impl<'m> Solver<'m> {
             correction: CorrectionReport::default(),
             air_refused: 0,
             current: 0,
+            has_lists: false,
             fingerprint: fingerprint(&plan, &constants.parameters, &constants.materials, &requirements),
             requirements,
             memory,
@@ -211,11 +214,14 @@ impl<'m> Solver<'m> {
         let columns = &Columns::of(materials, self.live.materials());
         let setup = Setup { model, parameters, materials, columns, uniform, tables, field, simd: self.simd };
         let (old, new) = if self.current == 0 { (&*a, b) } else { (&*b, a) };
+        self.has_lists = false;
         let found = Found::nothing(self.steps as u32);
         let command = Command::Run(Pass::IntegrateBefore);
         let mut step = Step { setup, executor, old, new, scratch, given, list_words: *list_words, found, command };
         step::run(&mut step, commands, begins).map_err(|error| error.at_step(self.steps + 1))?;
-        Ok(step.found)
+        let found = step.found;
+        self.has_lists = true;
+        Ok(found)
     }
 
     /// Makes the state that was tried the fluid.

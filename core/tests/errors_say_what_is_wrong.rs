@@ -108,20 +108,20 @@ fn of_a_step() {
 #[test]
 fn of_bytes() {
     let restores = [
-        (RestoreError::NotSaved, "the bytes do not begin as those of a saved fluid do"),
+        (RestoreError::NotSaved, "these bytes are no saved fluid: their header is missing"),
         (
-            RestoreError::WrongVersion { given: 9, known: 1 },
-            "the bytes are of version 9, and this library reads version 1",
+            RestoreError::WrongVersion { given: 9, known: 2 },
+            "the fluid was saved in version 9 of the format, and this library reads version 2",
         ),
-        (RestoreError::AnotherScene, "the bytes are of another scene: create the solver from the scene that was saved"),
+        (RestoreError::AnotherScene, "the fluid was saved from another scene: create the solver from that scene"),
         (
             RestoreError::WrongLength { given: 3, expected: 4 },
-            "a fluid of this scene is 4 bytes long, and 3 were given",
+            "a saved fluid of this scene takes 4 bytes, and 3 were given",
         ),
-        (RestoreError::Damaged, "the bytes are damaged: they are not those that were saved"),
+        (RestoreError::Damaged, "the saved bytes are damaged: their checksum does not match"),
         (
             RestoreError::Scene(SceneError::Negative { field: "fluid.xsph", value: -0.5 }),
-            "the saved values do not make a scene: fluid.xsph is -0.5, and must not be negative",
+            "the values that were saved are not those of a scene: fluid.xsph is -0.5, and must not be negative",
         ),
     ];
     for (error, sentence) in restores {

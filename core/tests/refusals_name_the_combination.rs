@@ -152,6 +152,11 @@ fn properties_of_fluids_by_name() {
             s.model.equation_of_state = EquationOfState::Desbrun;
         },
     );
+    refused("fluid.stiffness does not go with model.pressure_solver PressureCorrection: nothing would use it", |s| {
+        s.fluid.stiffness = Some(1000.0);
+        s.model.pressure_solver = PressureSolver::PressureCorrection;
+        s.model.pressure_force = PressureForce::Monaghan;
+    });
     refused(
         "fluid.equation_of_state does not go with model.pressure_solver PressureCorrection: pressure is \
          iterated for all fluids, so that nothing would use it",

@@ -10,6 +10,17 @@ pub const UNIFORMS: u32 = 4;
 /// Cells of a block: how many one work group sums up. The particles of each block are counted behind those of the cells.
 pub const CELL_BLOCK: u32 = 4096;
 
+/// Threads of a group each of which walks its share of a block of cells, or of all particles.
+const WIDE: u32 = 256;
+
+const _: () = assert!(CELL_BLOCK.is_multiple_of(WIDE));
+
+/// Blocks of so many cells.
+#[must_use]
+pub fn cell_blocks(cells: u32) -> u32 {
+    cells.div_ceil(CELL_BLOCK)
+}
+
 /// A buffer that a program binds behind the uniforms.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Declared {
@@ -107,11 +118,10 @@ pub fn is_on_device(array: Array) -> bool {
 /// Threads of a work group of a pass.
 #[must_use]
 pub fn workgroup(pass: Pass) -> u32 {
-    // where a group is wide, each of its threads walks its share of a block of cells, or of all particles
-    let walks = match pass.threads() {
+    let is_wide = match pass.threads() {
         Threads::Cells => true,
         Threads::Group => !pass.bindings().is_empty(),
         Threads::Particles | Threads::Host => false,
     };
-    if walks { 256 } else { WORKGROUP }
+    if is_wide { WIDE } else { WORKGROUP }
 }

@@ -1,5 +1,5 @@
 //! The arrays on the device: core's bytes, those of the state twice, in two states that trade places.
-use crate::bindings::{CELL_BLOCK, is_on_device};
+use crate::bindings::{cell_blocks, is_on_device};
 use crate::device::Gpu;
 use crate::error::GpuError;
 use bytemuck::{Pod, Zeroable, cast_slice};
@@ -88,7 +88,7 @@ impl Buffers {
         status.total_iterations = correction.total_iterations.min(u64::from(u32::MAX)) as u32;
         status.last_residual = correction.residual.to_bits();
         let cells = requirements.entries(Array::grid_cell_counters);
-        let counters = cells + cells.div_ceil(CELL_BLOCK as usize);
+        let counters = cells + cell_blocks(cells as u32) as usize;
         let head = storage.room("head", size_of::<Status>() + counters * size_of::<u32>())?;
         gpu.queue.write_buffer(&head, 0, bytemuck::bytes_of(&status));
         let mut tables = [0; TABLE_WORDS];

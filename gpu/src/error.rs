@@ -77,7 +77,9 @@ pub enum GpuError {
         adapter: String,
     },
     /// A step of more passes than can be timed at once.
-    #[error("a step of this scene runs {passes} passes, and the times of {most} can be taken: allow fewer iterations")]
+    #[error(
+        "a step of this scene runs {passes} passes, and at most {most} can be timed: lower model.correction.iterations"
+    )]
     TooManyPasses {
         /// Passes of a step, repetitions counted.
         passes: usize,

@@ -1,5 +1,5 @@
 //! A step as the device is told of it: for each command of the schedule a pipeline, its bind groups for both directions, its work groups.
-use crate::bindings::{CELL_BLOCK, Declared, UNIFORMS, bound, declared, workgroup};
+use crate::bindings::{Declared, UNIFORMS, bound, cell_blocks, declared, workgroup};
 use crate::buffers::{Buffers, UNIFORM_STRIDE};
 use crate::device::Gpu;
 use crate::error::GpuError;
@@ -101,7 +101,7 @@ impl Recorder<'_> {
         }));
         match command {
             Command::Gather { from: (from, side), to } => {
-                let to_side = if self.model_copies(to) > 1 { Side::New } else { Side::Only };
+                let to_side = if to.copies(&self.model) > 1 { Side::New } else { Side::Only };
                 all.extend([array(from, side), array(to, to_side)]);
             }
             Command::Validate(checked) => {
@@ -121,15 +121,10 @@ impl Recorder<'_> {
     fn size(&self, pass: Pass) -> [u32; 2] {
         let groups = match pass.threads() {
             Threads::Particles => self.particles.div_ceil(workgroup(pass)),
-            Threads::Cells => self.cells.div_ceil(CELL_BLOCK),
+            Threads::Cells => cell_blocks(self.cells),
             Threads::Group | Threads::Host => 1,
         };
-        let rows = groups.div_ceil(MOST_GROUPS).max(1);
-        [groups.div_ceil(rows), rows]
-    }
-
-    fn model_copies(&self, array: Array) -> usize {
-        array.copies(&self.model)
+        in_rows(groups)
     }
 }
 
@@ -144,6 +139,12 @@ impl Dispatch {
         pass.set_bind_group(0, &self.groups[old], &[]);
         pass.dispatch_workgroups(self.size[0], self.size[1], 1);
     }
+}
+
+/// So many work groups, in rows that a dispatch may have; the last of them may stay without work.
+fn in_rows(groups: u32) -> [u32; 2] {
+    let rows = groups.div_ceil(MOST_GROUPS).max(1);
+    [groups.div_ceil(rows), rows]
 }
 
 /// Records one step from state `old`; with `clock`, the times at which each dispatch begins and ends.
@@ -249,4 +250,22 @@ fn bind_group(
     let entry = |(i, resource)| wgpu::BindGroupEntry { binding: i as u32, resource };
     let entries: Vec<_> = resources.into_iter().enumerate().map(entry).collect();
     gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some(label), layout, entries: &entries })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_of_groups_are_no_longer_than_a_dispatch_allows_and_waste_less_than_one() {
+        for groups in [0, 1, 65_535, 65_536, 131_071, 200_000, u32::MAX / 4] {
+            let [along, rows] = in_rows(groups);
+            assert!(along <= MOST_GROUPS && rows >= 1, "{groups}");
+            let all = u64::from(along) * u64::from(rows);
+            assert!(
+                all >= u64::from(groups) && all < u64::from(groups) + u64::from(rows),
+                "{groups}: {along} x {rows}"
+            );
+        }
+    }
 }

@@ -1,4 +1,4 @@
-//! The complete WGSL of a pass: prelude, layout, choices, terms, arrays, loop, entry point.
+//! The complete WGSL of a pass: prelude, layout, choices, arrays, loop, entry point, and the terms that they call.
 use crate::bindings::{CELL_BLOCK, declarations, reads_pairs, workgroup};
 use crate::functions::Functions;
 use millpond_core::Pass;

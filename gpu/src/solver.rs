@@ -132,7 +132,7 @@ impl GpuSolver {
     pub fn step_timed(&mut self) -> Result<Vec<(Pass, f64)>, GpuError> {
         let until = self.steps + 1;
         countable(until)?;
-        let clock = PassClock::new(&self.gpu, self.dispatches.len())?;
+        let clock = self.gpu.caught(|| PassClock::new(&self.gpu, self.dispatches.len()))?;
         while self.steps < until {
             self.attempt(1, Some(&clock))?;
         }
@@ -153,9 +153,9 @@ impl GpuSolver {
                 clock.resolve(&mut encoder);
             }
             self.gpu.caught(|| Ok(self.gpu.queue.submit([encoder.finish()])))?;
+            self.attempts += some.len() as u64;
         }
         let status = self.status()?;
-        self.attempts += count;
         self.steps = u64::from(status.steps);
         if status.failed == 1 {
             return Err(verdict(&status, self.buffers.model().cell_places).err().map_or_else(lost, GpuError::Step));
@@ -289,7 +289,6 @@ impl GpuSolver {
         self.has_begun(call)?;
         let mut uniform = next.step;
         if matches!(change, Change::TimeStep(_)) {
-            uniform = uniform.with_time_step(next.step.time_step);
             let times = div(uniform.time_step, self.uniform.time_step);
             self.rescale_history(times)?;
             self.steady = self.steady.changed(self.steps, self.uniform.time_step);

@@ -10,15 +10,10 @@ use crate::float_controls::FloatControls;
 /// What naga says, with the place in the text.
 pub fn validate(wgsl: &str) -> Result<(naga::Module, naga::valid::ModuleInfo), GpuError> {
     let module = naga::front::wgsl::parse_str(wgsl).map_err(|e| GpuError::Shader(e.emit_to_string(wgsl)))?;
-    let info = info_of(&module, wgsl)?;
-    Ok((module, info))
-}
-
-/// What validation finds out about a module, whose text is for errors.
-fn info_of(module: &naga::Module, wgsl: &str) -> Result<naga::valid::ModuleInfo, GpuError> {
     let flags = naga::valid::ValidationFlags::all();
     let mut validator = naga::valid::Validator::new(flags, naga::valid::Capabilities::default());
-    validator.validate(module).map_err(|e| GpuError::Shader(e.emit_to_string(wgsl)))
+    let info = validator.validate(&module).map_err(|e| GpuError::Shader(e.emit_to_string(wgsl)))?;
+    Ok((module, info))
 }
 
 /// SPIR-V of a WGSL program that drivers must take by the letter, under these float controls: those that the device
@@ -27,10 +22,7 @@ fn info_of(module: &naga::Module, wgsl: &str) -> Result<naga::valid::ModuleInfo,
 /// # Errors
 /// What naga says.
 pub fn spirv(wgsl: &str, controls: FloatControls) -> Result<Vec<u32>, GpuError> {
-    let (mut module, _) = validate(wgsl)?;
-    // every program has all terms in it, of which it calls a few: a driver need not compile the others
-    naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
-    let info = info_of(&module, wgsl)?;
+    let (module, info) = validate(wgsl)?;
     // pass-through skips wgpu's bounds checks, so ask naga for them
     let restrict = naga::proc::BoundsCheckPolicy::Restrict;
     let options = naga::back::spv::Options {

@@ -128,7 +128,9 @@ pub fn compare(
     let mut level_heaps: Vec<_> = Simd::available().skip(1).map(|simd| (simd, OwnedMemory::of(scene))).collect();
     let mut reference = start(&named.name, scene, first)?.at_level(Simd::Scalar);
     let other = other_grid(scene, &mut reference);
-    let needs = other.check().map(|other| Requirements::of(&other)).ok().filter(|needs| needs.bytes() <= MOST_BYTES);
+    let refused = |error| Failure::Scene { origin: named.name.clone(), error };
+    let needs = Requirements::of(&other.check().map_err(refused)?);
+    let needs = Some(needs).filter(|needs| needs.bytes() <= MOST_BYTES);
     let with_other = needs.is_some();
     let mut other_heap = needs.as_ref().map(OwnedMemory::with).unwrap_or_default();
     let mut rivals = Vec::new();
@@ -155,7 +157,7 @@ pub fn compare(
         if with_other {
             cpu(&format!("{name}, other grid"), &other, &mut other_heap, best, &one)?;
         } else {
-            eprintln!("other grid left out: it needs more memory than one scene is given");
+            eprintln!("other grid left out: it would take more than the {} GiB that a scene may", MOST_BYTES >> 30);
         }
     }
 

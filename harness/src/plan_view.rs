@@ -140,6 +140,7 @@ fn in_words(command: Command) -> String {
     match command {
         Command::Run(pass) => pass.name().into(),
         Command::RunAgain(pass) => format!("{}, with the velocities at the end of the step", pass.name()),
+        Command::Gather { from: (from, _), to } if from == to => format!("gather {}", to.name()),
         Command::Gather { from: (from, _), to } => format!("gather {} from {}", to.name(), from.name()),
         Command::Validate(array) => format!("validate {}", array.name()),
         Command::Repeat { commands, most } => {

@@ -90,7 +90,7 @@ pub const BUILT_IN: &[(&str, &str)] = built_in!(
     "tower",
 );
 
-/// Most memory that a scene is given: 4 GiB, 12 million particles. `compare` holds five of them.
+/// Most memory that a scene is given: 4 GiB, some 18 million particles. `compare` holds several of them, one for each path.
 pub const MOST_BYTES: usize = 1 << 32;
 
 /// What a caller asks of a scene beside its name.

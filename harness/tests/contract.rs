@@ -56,7 +56,15 @@ fn documents_have_the_keys_that_others_rely_on() {
     let bench = json(&["bench", "thesis-cube", "--particles", "200", "--steps", "3", "--structures", "--json"]);
     has(&bench, &["structures[].structure", "structures[].ms_per_step.min", "structures[].bytes_per_particle"]);
 
+    let own = env!("CARGO_BIN_EXE_millpond");
+    let against =
+        ["bench", "thesis-cube", "--particles", "200", "--steps", "3", "--rounds", "2", "--against", own, "--json"];
+    let against = json(&against);
+    has(&against, &["this[]", "other[]", "ratio"]);
+    assert_eq!(against["this"].as_array().map(Vec::len), Some(2));
+
     let plan = json(&["plan", "dam-break", "--steps", "2", "--json"]);
+    has(&plan, &["commands[]", "particles"]);
     has(
         &plan,
         &["passes[].name", "passes[].terms", "left_out[].what", "left_out[].why", "bytes.used", "bytes.everything"],

@@ -1,5 +1,5 @@
 //! What a vector of blocks of four lanes can do, beside arithmetic.
-use super::lanes::{FEW, Offsets, Windows};
+use super::codes::{FEW, Offsets, Windows};
 use super::real::Real;
 use crate::layout::f32x4;
 

@@ -2,23 +2,9 @@
 //! whose own numbers are the same in all four: so nearly every lane holds a pair. The terms do not know of it; sums are
 //! added up in the order of the neighbours, one after the other, so that no level changes a bit.
 use super::blocks::Blocks;
+use super::codes::{FEW, MOST_LANES, Offsets, ROW_BITS, Windows, slot};
 use super::real::{Real, vec3};
 use crate::layout::f32x4;
-
-/// Most lanes of any level.
-pub(crate) const MOST_LANES: usize = 16;
-
-/// Windows of slots that the codes of neighbours refer to.
-pub(crate) const WINDOWS: usize = 8;
-
-/// Bits of a code that say where in its window a slot is.
-pub(crate) const WINDOW_BITS: u32 = 13;
-
-/// The first slot of each window.
-pub(crate) type Windows = [u32; WINDOWS];
-
-/// Materials that a level can look up without asking memory for each lane.
-pub(crate) const FEW: usize = 16;
 
 /// The slot of a particle for each lane, all of them below the number of particles.
 pub(crate) struct Slots {
@@ -29,23 +15,15 @@ pub(crate) struct Slots {
     particles: usize,
 }
 
-/// Bytes from the first row to that of each lane.
-#[derive(Clone, Copy)]
-#[repr(align(64))]
-pub(crate) struct Offsets(pub [u32; MOST_LANES]);
-
-/// Bits that a slot is moved by to make an offset of it: a row has 16 bytes.
-pub(crate) const ROW_BITS: u32 = size_of::<f32x4>().ilog2();
-
 impl Slots {
-    /// The first particle in all lanes.
+    /// Of a scene with so many particles: the first of them in all lanes.
     #[inline(always)]
     pub(crate) fn first(particles: usize) -> Slots {
         assert!(particles > 0 && particles < 1 << (u32::BITS - ROW_BITS), "offsets have 32 bits");
         Slots { offsets: [Offsets([0; MOST_LANES]); 2], turn: 0, particles }
     }
 
-    /// Makes those ready that the codes of as many lanes as `R` has stand for.
+    /// Decodes the slots of the next neighbours, one a lane, beside those in use.
     ///
     /// # Panics
     /// Where one is no particle's.
@@ -55,13 +33,13 @@ impl Slots {
         assert!(R::decode(codes, windows, ready, self.particles as u32), "a list names nobody");
     }
 
-    /// Goes on to those that were made ready.
+    /// Uses the slots that were decoded last.
     #[inline(always)]
     pub(crate) fn advance(&mut self) {
         self.turn ^= 1;
     }
 
-    /// These.
+    /// Uses these slots.
     ///
     /// # Panics
     /// Where one is no particle's.
@@ -80,7 +58,7 @@ impl Slots {
         unsafe { core::ptr::from_ref(&self.offsets[self.turn & 1].0[lane]).read_volatile() as usize }
     }
 
-    /// That of a lane.
+    /// The slot of a lane's particle.
     #[inline(always)]
     pub(crate) fn lane(&self, lane: usize) -> usize {
         self.offset(lane) >> ROW_BITS
@@ -109,11 +87,11 @@ pub(crate) trait Lanes: Real {
     fn gather(rows: &[f32x4], slots: &Slots) -> [Self; 4];
     /// The four numbers of each receiver, in all of its lanes.
     fn spread<'r>(row: impl Fn(usize) -> &'r f32x4) -> [Self; 4];
-    /// The four numbers of each receiver, of which all lanes have the same, as rows.
+    /// Writes a row for each receiver, from four vectors that hold one number in all lanes of a receiver.
     fn rows(spread: [Self; 4], out: &mut [f32x4]);
     /// The four numbers of as many particles as there are lanes, one a lane.
     fn load<'r>(row: impl Fn(usize) -> &'r f32x4) -> [Self; 4];
-    /// The same as rows.
+    /// Writes such vectors back as rows.
     fn store(lanes: [Self; 4], out: &mut [f32x4]);
 
     /// Nothing summed yet.
@@ -142,12 +120,6 @@ pub(crate) trait Lanes: Real {
 #[inline(always)]
 pub(crate) fn xyz<R>([x, y, z, _]: [R; 4]) -> vec3<R> {
     vec3(x, y, z)
-}
-
-/// Decodes one code.
-#[inline(always)]
-pub(crate) fn slot(code: u16, windows: &Windows) -> u32 {
-    windows[usize::from(code >> WINDOW_BITS)] + (u32::from(code) & ((1 << WINDOW_BITS) - 1))
 }
 
 /// One receiver and one of its neighbours.
@@ -309,5 +281,46 @@ impl<R: Blocks> Lanes for R {
     #[inline(always)]
     fn pick(column: &[f32; FEW], index: R) -> R {
         R::permute(column, index)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arithmetic::codes::WINDOW_BITS;
+    use crate::arithmetic::level::{Simd, Work};
+
+    /// Decodes a code in all lanes; whether each is that of a particle is what comes out.
+    struct Decode<'a> {
+        code: u16,
+        windows: &'a Windows,
+        limit: u32,
+        fits: &'a mut bool,
+    }
+
+    impl Work for Decode<'_> {
+        #[inline(always)]
+        fn run<R: Lanes>(self) {
+            let mut offsets = Offsets([0; MOST_LANES]);
+            *self.fits = R::decode(&[self.code; MOST_LANES], self.windows, &mut offsets, self.limit);
+        }
+    }
+
+    #[test]
+    fn codes_of_no_particle_are_seen_whatever_the_windows_hold() {
+        let windows = [0, 90, 1 << 31, u32::MAX - 5, u32::MAX, 8000, i32::MIN as u32, 100];
+        for simd in Simd::available() {
+            for (window, start) in (0u16..).zip(windows) {
+                for place in [0, 1, 5, 8191] {
+                    let code = window << WINDOW_BITS | place;
+                    let slot = start.wrapping_add(u32::from(place));
+                    for limit in [1, 6, 100, (1 << 28) - 1] {
+                        let mut fits = false;
+                        simd.run(Decode { code, windows: &windows, limit, fits: &mut fits });
+                        assert_eq!(fits, slot < limit, "{simd:?}: window at {start}, place {place}, {limit} particles");
+                    }
+                }
+            }
+        }
     }
 }

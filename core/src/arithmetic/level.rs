@@ -55,7 +55,7 @@ impl Simd {
     /// This level, or the fastest one that the processor has where it lacks this one.
     #[must_use]
     pub fn or_best(self) -> Simd {
-        self.min(Simd::detect().max(Simd::Base))
+        self.min(Simd::detect())
     }
 
     /// Does `work` at this level.
@@ -85,8 +85,8 @@ fn run_avx2<W: Work>(work: W) {
     fn vector<W: Work>(work: W) {
         work.run::<super::x86::Avx>();
     }
-    // SAFETY: `Solver` takes its level through `or_best`, which grants AVX2 only where cpuid and xgetbv show all that
-    // is enabled here.
+    // SAFETY: a solver's level is what `detect` or `or_best` gave, and these give AVX2 only where cpuid and xgetbv show
+    // all that is enabled here.
     unsafe { vector(work) }
 }
 
@@ -98,7 +98,7 @@ fn run_avx512<W: Work>(work: W) {
     fn vector<W: Work>(work: W) {
         work.run::<super::x86::Avx512>();
     }
-    // SAFETY: as for AVX2; `or_best` grants AVX-512 only with all that is enabled here.
+    // SAFETY: as for AVX2; AVX-512 is given only with all that is enabled here, and what that brings with it.
     unsafe { vector(work) }
 }
 
@@ -137,7 +137,7 @@ fn extensions() -> [bool; 2] {
         unsafe { _xgetbv(0) as u32 }
     }
     // bits of leaves 1, 7 and 0x80000001
-    let [popcnt, osxsave, avx] = [23, 27, 28];
+    let [fma, popcnt, osxsave, avx, f16c] = [12, 23, 27, 28, 29];
     let [bmi1, avx2, bmi2, f, dq, bw, vl] = [3, 5, 8, 16, 17, 30, 31];
     let lzcnt = 5;
     let (basic, highest) = (__cpuid(1).ecx, __cpuid(0).eax);
@@ -152,7 +152,8 @@ fn extensions() -> [bool; 2] {
         && all(basic, &[popcnt])
         && all(more, &[avx2, bmi1, bmi2])
         && all(__cpuid(0x8000_0001).ecx, &[lzcnt]);
-    [has_avx2, has_avx2 && all(saved, &[5, 6, 7]) && all(more, &[f, dq, bw, vl])]
+    // for the compiler avx512f has fused operations and half floats in it, though nothing here uses them
+    [has_avx2, has_avx2 && all(basic, &[fma, f16c]) && all(saved, &[5, 6, 7]) && all(more, &[f, dq, bw, vl])]
 }
 
 #[cfg(not(target_arch = "x86_64"))]

@@ -14,6 +14,7 @@
 //! use millpond_core::arithmetic::level::Base;
 //! ```
 mod blocks;
+pub(crate) mod codes;
 pub mod double;
 pub(crate) mod lanes;
 pub(crate) mod level;

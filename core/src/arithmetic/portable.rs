@@ -1,7 +1,7 @@
 //! Four numbers side by side in a plain array, for processors whose vectors have no file of their own here: LLVM finds
 //! instructions for them where it can.
 use super::blocks::Blocks;
-use super::lanes::{FEW, Offsets, ROW_BITS, Windows, slot};
+use super::codes::{FEW, Offsets, ROW_BITS, Windows, slot};
 use super::real::Real;
 use super::root::{floor, root4};
 use crate::layout::f32x4;

@@ -6,7 +6,7 @@
 #![expect(clippy::undocumented_unsafe_blocks, reason = "what makes all of them sound is said once, at the macro")]
 #![expect(unsafe_code, reason = "vector instructions are only to be had as intrinsics")]
 use super::blocks::Blocks;
-use super::lanes::{FEW, Offsets, ROW_BITS, WINDOW_BITS, Windows, slot};
+use super::codes::{FEW, Offsets, ROW_BITS, WINDOW_BITS, Windows, slot};
 use super::real::Real;
 use super::root::floor;
 use crate::layout::f32x4;
@@ -16,7 +16,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// Declares a vector: its register, lanes and masks, and the instruction of each operation.
 ///
 /// SAFETY of all that it expands to: the intrinsics need nothing but the processor's instructions, and of memory as
-/// many bytes as the slices were seen to have. SSE2 is part of every x86-64; vectors of AVX and AVX-512 are made only
+/// many bytes as the slices were seen to have, or as arrays have by their types (`codes` asserts that these are enough). SSE2 is part of every x86-64; vectors of AVX and AVX-512 are made only
 /// inside of what `level::run_avx2` and `level::run_avx512` run, where the processor was seen to have it.
 macro_rules! vector {
     ($(#[$doc:meta])* $name:ident: $register:ty, $lanes:literal lanes, masks: $mask:ty, by $by:ident,
@@ -291,9 +291,10 @@ mod avx {
             let slots = _mm256_add_epi32(first, within);
             let offset = _mm256_slli_epi32::<{ ROW_BITS as i32 }>(slots);
             _mm256_storeu_si256(offsets.0.as_mut_ptr().cast(), offset);
-            // there are fewer than 2^31 particles
-            let below = _mm256_cmpgt_epi32(_mm256_set1_epi32(limit as i32), slots);
-            _mm256_movemask_epi8(below) == -1
+            // AVX2 compares signed numbers only, but takes the smaller of unsigned ones
+            let last = _mm256_set1_epi32(limit.wrapping_sub(1) as i32);
+            let is_below = _mm256_cmpeq_epi32(_mm256_min_epu32(slots, last), slots);
+            limit > 0 && _mm256_movemask_epi8(is_below) == -1
         }
     }
 

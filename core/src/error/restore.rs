@@ -33,18 +33,21 @@ pub enum RestoreError {
 impl fmt::Display for RestoreError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            RestoreError::NotSaved => write!(f, "the bytes do not begin as those of a saved fluid do"),
+            RestoreError::NotSaved => write!(f, "these bytes are no saved fluid: their header is missing"),
             RestoreError::WrongVersion { given, known } => {
-                write!(f, "the bytes are of version {given}, and this library reads version {known}")
+                write!(
+                    f,
+                    "the fluid was saved in version {given} of the format, and this library reads version {known}"
+                )
             }
             RestoreError::AnotherScene => {
-                write!(f, "the bytes are of another scene: create the solver from the scene that was saved")
+                write!(f, "the fluid was saved from another scene: create the solver from that scene")
             }
             RestoreError::WrongLength { given, expected } => {
-                write!(f, "a fluid of this scene is {expected} bytes long, and {given} were given")
+                write!(f, "a saved fluid of this scene takes {expected} bytes, and {given} were given")
             }
-            RestoreError::Damaged => write!(f, "the bytes are damaged: they are not those that were saved"),
-            RestoreError::Scene(error) => write!(f, "the saved values do not make a scene: {error}"),
+            RestoreError::Damaged => write!(f, "the saved bytes are damaged: their checksum does not match"),
+            RestoreError::Scene(error) => write!(f, "the values that were saved are not those of a scene: {error}"),
         }
     }
 }

@@ -62,9 +62,9 @@ pub(super) struct Lender<'m, 'r> {
 }
 
 impl<'m> Lender<'m, '_> {
-    /// Words that the neighbour lists may take. There is memory for more, where those that it is shared with need it.
+    /// Words of the memory for neighbour lists that lists are made in. The rest of it still holds what sorts the particles.
     pub(super) fn list_words(&self) -> usize {
-        // chunks of codes are named by u32
+        // a range names a chunk of codes by a u32
         self.requirements.entries(Array::neighbours).min(self.most_neighbour_words).min(u32::MAX as usize)
     }
 

@@ -1,15 +1,12 @@
 //! How much memory a scene needs, array by array.
-use super::views::SORTING_WORDS;
 use crate::layout::{Model, TABLE_WORDS};
 use crate::plan::Plan;
 use crate::plan::arrays::{Array, Class, Unit};
 use crate::validate::Checked;
 
-/// Words of the neighbour lists for each particle: one for its group's range, and two neighbours in each other one. A
+/// Words of the neighbour lists for each particle: one for its group's range, and two neighbours in each of the others. A
 /// group whose list does not fit searches its cells in each pass.
 pub const LIST_WORDS: usize = 21;
-
-const _: () = assert!(SORTING_WORDS <= LIST_WORDS, "what sorts particles lies where their lists come to lie");
 
 /// Words to which arrays in an arena are aligned: a cache line.
 pub(super) const LINE_WORDS: usize = 16;
@@ -103,13 +100,15 @@ impl Requirements {
         array.copies(&self.model)
     }
 
+    /// Copies that have memory of their own: none of an array that lies in that of the neighbour lists.
+    fn own_copies(&self, array: Array) -> usize {
+        if array.class() == Class::Sorting { 0 } else { self.copies(array) }
+    }
+
     /// Bytes of an array, all of its copies; none for one that shares those of the neighbour lists.
     #[must_use]
     pub fn bytes_of(&self, array: Array) -> usize {
-        if array.class() == Class::Sorting {
-            return 0;
-        }
-        self.copies(array).saturating_mul(self.entries(array)).saturating_mul(array.words() * size_of::<u32>())
+        self.own_copies(array).saturating_mul(self.entries(array)).saturating_mul(array.words() * size_of::<u32>())
     }
 
     /// Bytes of all arrays.
@@ -120,12 +119,9 @@ impl Requirements {
 
     /// Bytes that an array takes of an arena, where each copy begins at a cache line.
     pub(super) fn arena_bytes_of(&self, array: Array) -> usize {
-        if array.class() == Class::Sorting {
-            return 0;
-        }
         let line = LINE_WORDS * size_of::<u32>();
         let copy = self.entries(array).saturating_mul(array.words() * size_of::<u32>());
-        self.copies(array).saturating_mul(copy.div_ceil(line).saturating_mul(line))
+        self.own_copies(array).saturating_mul(copy.div_ceil(line).saturating_mul(line))
     }
 
     /// Bytes of an arena that holds everything.

@@ -1,6 +1,6 @@
 //! The arrays of a simulation as slices, made from the table of arrays. What a scene does without has no entries.
 use super::lend::{Lender, Memory};
-use super::requirements::Requirements;
+use super::requirements::{LIST_WORDS, Requirements};
 use crate::error::SceneError;
 use crate::layout::{Model, f32x4, u32x2, u32x4};
 use crate::plan::arrays::{Array, with_arrays};
@@ -34,8 +34,13 @@ macro_rules! views {
         #[derive(Debug)]
         pub(crate) struct Sorting<'s> { $($(#[$sorting_doc])* pub $sorting: &'s mut [$sorting_type],)* }
 
-        /// Words that these take of each particle.
-        pub(super) const SORTING_WORDS: usize = 0 $(+ size_of::<$sorting_type>() / size_of::<u32>())*;
+        /// The same, by their names.
+        const SORTING: &[Array] = &[$(Array::$sorting),*];
+
+        const _: () = assert!(
+            0 $(+ size_of::<$sorting_type>())* <= LIST_WORDS * size_of::<u32>(),
+            "what sorts particles lies where their lists come to lie"
+        );
 
         impl<'s> Sorting<'s> {
             /// Its arrays in this memory.
@@ -113,6 +118,8 @@ pub struct Arrays<'m> {
     /// Words of the neighbour lists that a step may use as such.
     pub(crate) list_words: usize,
 }
+
+const _: () = assert!(matches!(SORTING[0], Array::source_slot), "`Scratch::source_slot` looks for it there");
 
 impl Scratch<'_> {
     /// Slot before the step of each of so many slots after it, until lists are made.

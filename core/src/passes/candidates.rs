@@ -1,5 +1,6 @@
 //! Who may be a neighbour of a cell's particles: all in the cells around it, coordinate by coordinate, so that lanes
 //! can try them.
+use crate::arithmetic::codes::MOST_LANES;
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::real::{less, real, vec3};
 use crate::layout::f32x4;
@@ -12,7 +13,7 @@ use core::ops::Range;
 const MOST: usize = 1024;
 
 /// Room beyond the last candidate, for lanes that are not all in use.
-const SPARE: usize = 16;
+const SPARE: usize = MOST_LANES;
 
 /// Where the lanes that are not in use are: no distance from there is small.
 const FAR: f32 = f32::INFINITY;

@@ -1,6 +1,7 @@
 //! What each material has of its own, column by column, so that lanes can look it up.
 use super::lanes::kind;
-use crate::arithmetic::lanes::{FEW, Lanes};
+use crate::arithmetic::codes::FEW;
+use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::real::{less, real, select};
 use crate::derive::material::{FIRST_BLOCK, FIRST_WALL};
 use crate::layout::{MaterialRows, Materials};

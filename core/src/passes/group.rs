@@ -4,15 +4,16 @@ use super::context::Setup;
 use super::lanes::is_wall;
 use super::lists::{CHUNK, GROUP, Listed, Lists};
 use super::local::{Particles, spread};
-use crate::arithmetic::lanes::{Lanes, MOST_LANES, Slots};
+use crate::arithmetic::codes::MOST_LANES;
+use crate::arithmetic::lanes::{Lanes, Slots};
 use crate::arithmetic::real::{less, real, select, vec3};
 use crate::grid::{Cells, Stencil, cell_of};
 use crate::layout::f32x4;
 use crate::terms::pair::{Local, pair_scale, separation, squared_ratio};
 use crate::terms::wall::MIRRORED;
 
-/// Where a group stands, for the search of its cells. It is memory of its own: what a function gets that is not
-/// compiled into its caller, the compiler cannot take for constant any more.
+/// What the search of a group's cells needs. The search is not compiled into the loops, so it gets the constants of the
+/// whole step: were it handed a reference to a loop's own copy, the compiler could not take that for constant any more.
 #[derive(Clone, Copy)]
 pub(crate) struct Surroundings<'a> {
     pub setup: Setup<'a>,

@@ -1,23 +1,23 @@
 //! Finding neighbours: cell by cell the candidates are gathered once, tried by each particle of the cell, and those
 //! that are near are listed, group by group.
+use super::by_model::PairJob;
 use super::candidates::Candidates;
 use super::context::Setup;
 use super::group::{Group, Surroundings};
 use super::lanes::is_wall;
 use super::lists::{Filling, GROUP, Lists, MOST_LISTED, ROOM, groups, share};
 use super::local::Particles;
-use super::pairs::{General, Plain, present};
+use super::pairs::present;
 use crate::arithmetic::lanes::Lanes;
-use crate::arithmetic::level::Work;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::grid::{Cells, Stencil, cell_of};
-use crate::layout::{Model, f32x4};
+use crate::layout::f32x4;
 use crate::terms::wall::MIRRORED;
 use core::ops::Range;
 
 /// What else is done with the neighbours of a group while their distances are at hand.
 pub(crate) trait Visit: Sync + Sized {
-    /// Does a job: `job.run()`, compiled once, in this crate: see [`PairPass::work`](super::pairs::PairPass::work).
+    /// Does a job: see [`PairPass::work`](super::pairs::PairPass::work).
     fn work(job: &mut Job<'_, Self>);
 
     /// Fills the entries of some particles of a group, of which `near` has all neighbours.
@@ -78,20 +78,6 @@ pub(crate) fn run<V: Visit>(
     executor.run(&mut jobs, V::work);
 }
 
-impl<V: Visit> Work for Plain<'_, Job<'_, V>> {
-    #[inline(always)]
-    fn run<R: Lanes>(self) {
-        self.0.run_by::<R>(self.0.surroundings.setup.model.plain());
-    }
-}
-
-impl<V: Visit> Work for General<'_, Job<'_, V>> {
-    #[inline(always)]
-    fn run<R: Lanes>(self) {
-        self.0.run_by::<R>(*self.0.surroundings.setup.model);
-    }
-}
-
 /// What is known of a cell whose candidates were gathered.
 struct Gathered {
     members: Range<usize>,
@@ -101,29 +87,14 @@ struct Gathered {
     are_windows_new: bool,
 }
 
-impl<V: Visit> Job<'_, V> {
-    /// All groups of the job, at its SIMD level.
-    #[inline(always)]
-    pub(crate) fn run(&mut self) {
-        let Setup { simd, model, .. } = self.surroundings.setup;
-        if model.is_plain() { simd.run(Plain(self)) } else { simd.run(General(self)) }
+impl<'a, V: Visit> PairJob<'a> for Job<'a, V> {
+    fn setup(&self) -> Setup<'a> {
+        self.surroundings.setup
     }
 
-    /// The same for what no usual scene does.
     #[inline(always)]
-    pub(crate) fn run_general(&mut self) {
-        let simd = self.surroundings.setup.simd;
-        simd.run(General(self));
-    }
-
-    /// All groups by this model, parts of which the compiler may know.
-    #[inline(always)]
-    fn run_by<R: Lanes>(&mut self, model: Model) {
-        let Surroundings { setup, particles, .. } = self.surroundings;
-        // of its own, so that the compiler sees that nothing changes it
-        let parameters = *setup.parameters;
-        let setup = &Setup { model: &model, parameters: &parameters, ..setup };
-        let (m, p) = (&model, setup.parameters);
+    fn run_by<R: Lanes>(&mut self, setup: &Setup<'_>) {
+        let (m, p, particles) = (setup.model, setup.parameters, self.surroundings.particles);
         let mut candidates = Candidates::none();
         let mut near = Near {
             codes: [[0; ROOM]; GROUP],
@@ -137,10 +108,13 @@ impl<V: Visit> Job<'_, V> {
         let mut slot = first;
         while slot < end {
             // the cell of the next particles, and all that may be near them
-            let Gathered { members, own_shift, are_windows_new } = match cell_of(p, particles.position[slot]) {
-                Ok(cell) => self.gather::<R>(setup, cell as usize, &mut candidates),
+            let cell = cell_of(p, particles.position[slot]);
+            let Gathered { members, own_shift, are_windows_new } = if let Ok(cell) = cell {
+                self.gather::<R>(setup, cell as usize, &mut candidates)
+            } else {
                 // a step with such a particle ends before
-                Err(_) => Gathered { members: slot..slot + 1, own_shift: 0, are_windows_new: false },
+                candidates.clear();
+                Gathered { members: slot..slot + 1, own_shift: 0, are_windows_new: false }
             };
             near.fits &= !are_windows_new || slot.is_multiple_of(GROUP);
             let until = members.end.min(end);
@@ -149,13 +123,14 @@ impl<V: Visit> Job<'_, V> {
                 near.own[i] = (a as u32).wrapping_add(own_shift);
                 // a mirroring wall has no density, and nobody acts on it
                 let asleep = m.wall_particles == MIRRORED && is_wall(setup.materials, particles.velocity[a][3]);
-                near.counts[i] = if asleep {
+                near.counts[i] = if !candidates.are_complete() {
+                    // nor is the particle's own code known
+                    ROOM
+                } else if asleep {
                     0
-                } else if candidates.are_complete() {
+                } else {
                     let support = if m.variable_support == 1 { particles.support[a] } else { 1.0 };
                     candidates.near::<R>(setup, particles.position[a], support, (&mut near.codes[i], &mut near.q2[i]))
-                } else {
-                    ROOM
                 };
                 if i + 1 == GROUP || a + 1 == end {
                     self.close::<R>(setup, &mut near, a, first);
@@ -167,7 +142,9 @@ impl<V: Visit> Job<'_, V> {
             self.visitor.absent(setup, absent);
         }
     }
+}
 
+impl<V: Visit> Job<'_, V> {
     /// Lists a group, whose last particle lies in slot `last`.
     #[inline(always)]
     fn close<R: Lanes>(&mut self, setup: &Setup<'_>, near: &mut Near, last: usize, first_of_job: usize) {

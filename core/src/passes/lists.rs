@@ -5,7 +5,7 @@
 //! the particle itself. A code of 16 bits is a window of slots and a place in it; the first slots of the windows stand
 //! before the codes of the first group that uses them. A group whose lists do not fit is not listed, and searches its
 //! cells in every pass.
-use crate::arithmetic::lanes::{WINDOW_BITS, WINDOWS, Windows};
+use crate::arithmetic::codes::{MOST_LANES, WINDOW_BITS, WINDOWS, Windows};
 use core::ops::Range;
 
 /// Particles of a group, side by side in their slots.
@@ -14,8 +14,10 @@ pub(crate) const GROUP: usize = 4;
 /// Most neighbours that are listed of a particle.
 pub(crate) const MOST_LISTED: usize = 240;
 
-/// Codes that a group's lists grow by: four for each of its particles.
-pub(crate) const CHUNK: usize = 16;
+/// Codes that a group's lists grow by: four for each of its particles, which is what the widest lanes take at once.
+pub(crate) const CHUNK: usize = MOST_LANES;
+
+const _: () = assert!(CHUNK == 4 * GROUP && CHUNK * size_of::<u16>() == size_of::<Windows>());
 
 /// Room for the neighbours of a particle while they are being found.
 pub(crate) const ROOM: usize = MOST_LISTED + CHUNK;
@@ -47,7 +49,7 @@ pub struct ListReport {
     pub listed: usize,
     /// Pairs that are listed, a particle with itself among them.
     pub pairs: u64,
-    /// Places of the lists that lanes work on, those among them that hold no pair.
+    /// Places of the lists that lanes work on, those that hold no pair included.
     pub places: u64,
 }
 
@@ -94,8 +96,10 @@ impl<'a> Lists<'a> {
     #[inline(always)]
     pub(crate) fn of(&self, group: usize) -> Option<Listed<'a>> {
         let [begin, windows, longest, counts] = *self.ranges.get(group)?;
-        let codes = self.codes.get(begin as usize * CHUNK..)?.get(..(longest as usize).checked_mul(GROUP)?)?;
-        let windows = self.codes.get(windows as usize * CHUNK..)?.get(..CHUNK)?;
+        // of a group that was never listed these may be any numbers
+        let from = |chunk: u32| self.codes.get((chunk as usize).checked_mul(CHUNK)?..);
+        let codes = from(begin)?.get(..(longest as usize).checked_mul(GROUP)?)?;
+        let windows = from(windows)?.get(..CHUNK)?;
         let windows = bytemuck::try_from_bytes(bytemuck::cast_slice(windows)).ok()?;
         Some(Listed { codes, windows, counts: counts.to_le_bytes() })
     }
@@ -127,6 +131,8 @@ pub(crate) fn share(
     let all = groups(particles);
     let (ranges, codes) = memory.split_at_mut_checked(RANGE * all).unwrap_or((&mut [], &mut []));
     let mut ranges = ranges.as_chunks_mut().0;
+    // what sorted the particles lay here
+    ranges.fill([0, 0, NOT_LISTED, 0]);
     let mut codes: &mut [u16] = bytemuck::cast_slice_mut(codes);
     let chunks = codes.len() / CHUNK;
     let mut chunks_before = 0;
@@ -148,16 +154,20 @@ pub(crate) fn share(
     })
 }
 
+/// Is a slot in the window that begins there?
+fn is_within(start: u32, slot: u32) -> bool {
+    slot.wrapping_sub(start) < 1 << WINDOW_BITS
+}
+
 impl Filling<'_> {
     /// What a slot of this run differs by from its code, in a window that there is or a new one; nothing where there is
     /// no more room for one.
     #[inline(always)]
     pub(crate) fn shift(&mut self, run: &Range<usize>) -> Option<u32> {
-        let (first, last) = (run.start as u32, run.end.max(1) as u32 - 1);
-        let within = |start: u32, slot: u32| slot.wrapping_sub(start) < 1 << WINDOW_BITS;
+        let (first, last) = (run.start as u32, run.end as u32 - 1);
         // most runs lie beside the one before
         let start = self.windows[self.recent];
-        if self.recent >= self.used || !within(start, first) || !within(start, last) {
+        if self.recent >= self.used || !is_within(start, first) || !is_within(start, last) {
             self.recent = self.window_of(first, last)?;
         }
         Some(((self.recent as u32) << WINDOW_BITS).wrapping_sub(self.windows[self.recent]))
@@ -166,12 +176,12 @@ impl Filling<'_> {
     /// The window of a run, a new one if need be.
     #[inline(never)]
     fn window_of(&mut self, first: u32, last: u32) -> Option<usize> {
-        let within = |start: u32, slot: u32| slot.wrapping_sub(start) < 1 << WINDOW_BITS;
-        let known = self.windows[..self.used].iter().position(|&start| within(start, first) && within(start, last));
+        let has_both = |&start: &u32| is_within(start, first) && is_within(start, last);
+        let known = self.windows[..self.used].iter().position(has_both);
         if known.is_some() {
             return known;
         }
-        if self.used == WINDOWS || !within(first, last) {
+        if self.used == WINDOWS || !is_within(first, last) {
             return None;
         }
         self.windows[self.used] = first;
@@ -197,7 +207,6 @@ impl Filling<'_> {
         own: [u32; GROUP],
     ) {
         let Some(range) = self.ranges.get_mut(group) else { return };
-        *range = [0, 0, NOT_LISTED, 0];
         let longest = counts.into_iter().max().unwrap_or(0).next_multiple_of(GROUP);
         let needed = longest / GROUP + usize::from(self.written.is_none());
         if !fits || longest > MOST_LISTED || self.codes.len() < (self.filled + needed) * CHUNK {

@@ -1,7 +1,7 @@
 //! What the pair passes read of particles, and how it gets into the lanes.
 use super::columns::{Column, of_kinds};
 use super::context::Setup;
-use super::lanes::{is_wall, kind};
+use super::lanes::is_wall;
 use crate::arithmetic::lanes::{Lanes, Slots};
 use crate::arithmetic::real::{real, vec3};
 use crate::layout::{MaterialRows, f32x4};
@@ -91,19 +91,17 @@ impl Particles<'_> {
     /// What closes the density of receivers `first ..= last`.
     #[inline(always)]
     pub(crate) fn stiffness<R: Lanes>(&self, setup: &Setup<'_>, first: usize, last: usize) -> Stiffness<R> {
-        let materials = setup.materials;
-        let row = |rows: &MaterialRows, i: usize| {
-            if setup.model.species == 0 {
-                return real(rows[0][i]);
-            }
-            R::from_lanes(|lane| rows[kind(self.velocity[(first + lane / R::NEIGHBOURS).min(last)][3])][i])
-        };
+        let (materials, columns) = (setup.materials, setup.columns);
+        let [.., kinds] = spread::<R>(self.velocity, first, last);
+        let of_states = |i: usize| -> R { of_material(setup, &materials.states, &columns.states, kinds, i) };
+        let of_correction =
+            |i: usize| -> R { of_material(setup, &materials.corrections, &columns.corrections, kinds, i) };
         Stiffness {
-            state: row(&materials.states, 0),
-            near: row(&materials.states, 1),
-            thinning: row(&materials.corrections, 0),
-            offset: row(&materials.corrections, 1),
-            compressibility: row(&materials.corrections, 2),
+            state: of_states(0),
+            near: of_states(1),
+            thinning: of_correction(0),
+            offset: of_correction(1),
+            compressibility: of_correction(2),
         }
     }
 

@@ -2,6 +2,7 @@
 //! device's passes have the same names.
 //!
 //! Loops only load, call a term and store. No job reads what another job of its pass writes.
+mod by_model;
 mod candidates;
 pub(crate) mod columns;
 pub(crate) mod context;

@@ -1,13 +1,13 @@
 //! What the passes over pairs share: jobs over groups of receivers.
+use super::by_model::PairJob;
 use super::context::Setup;
 use super::group::{Group, Surroundings};
 use super::lists::{GROUP, Lists, groups};
 use super::local::Particles;
 use crate::arithmetic::lanes::Lanes;
-use crate::arithmetic::level::Work;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::grid::Cells;
-use crate::layout::{Model, f32x4};
+use crate::layout::f32x4;
 
 /// The lists of a step: a macro for the same reason as [`particles`](super::local::particles).
 macro_rules! lists {
@@ -31,7 +31,7 @@ pub(crate) trait PairPass: Sync + Sized {
     /// compiled again in every program that brings an executor of its own.
     fn work(job: &mut Job<'_, Self>);
 
-    /// Fills the entries of a group. Returns a count, of which `run` takes the largest.
+    /// Fills the entries of a group. Returns a number of which `run` takes the largest; 0 where a pass has none.
     fn group<R: Lanes>(&self, group: &Group<'_>, own: &mut [f32x4]) -> u32;
 
     /// Fills the entries of particles that are not there: with zeros, unless a pass says otherwise.
@@ -81,46 +81,13 @@ pub(crate) fn present(setup: &Setup<'_>, cells: Cells<'_>, particles: usize) -> 
     if setup.model.air == 1 { last } else { particles }
 }
 
-/// Work on the usual scenes, and work on all others. Each is a function of its own at each level: unoptimised, the two
-/// in one would take more stack than a thread of a host may have.
-pub(crate) struct Plain<'j, J>(pub &'j mut J);
-pub(crate) struct General<'j, J>(pub &'j mut J);
-
-impl<P: PairPass> Work for Plain<'_, Job<'_, P>> {
-    #[inline(always)]
-    fn run<R: Lanes>(self) {
-        self.0.run_by::<R>(self.0.surroundings.setup.model.plain());
-    }
-}
-
-impl<P: PairPass> Work for General<'_, Job<'_, P>> {
-    #[inline(always)]
-    fn run<R: Lanes>(self) {
-        self.0.run_by::<R>(*self.0.surroundings.setup.model);
-    }
-}
-
-impl<P: PairPass> Job<'_, P> {
-    /// All groups of the job, at its SIMD level.
-    #[inline(always)]
-    pub(crate) fn run(&mut self) {
-        let Setup { simd, model, .. } = self.surroundings.setup;
-        if model.is_plain() { simd.run(Plain(self)) } else { simd.run(General(self)) }
+impl<'a, P: PairPass> PairJob<'a> for Job<'a, P> {
+    fn setup(&self) -> Setup<'a> {
+        self.surroundings.setup
     }
 
-    /// The same for a pass that no usual scene runs.
     #[inline(always)]
-    pub(crate) fn run_general(&mut self) {
-        let simd = self.surroundings.setup.simd;
-        simd.run(General(self));
-    }
-
-    /// All groups by this model, parts of which the compiler may know.
-    #[inline(always)]
-    fn run_by<R: Lanes>(&mut self, model: Model) {
-        // of its own, so that the compiler sees that nothing changes it
-        let parameters = *self.surroundings.setup.parameters;
-        let setup = Setup { model: &model, parameters: &parameters, ..self.surroundings.setup };
+    fn run_by<R: Lanes>(&mut self, setup: &Setup<'_>) {
         let (particles, lists) = (self.surroundings.particles, self.lists);
         let present = self.present.saturating_sub(self.first_slot).min(self.out.len());
         let (out, absent) = self.out.split_at_mut(present);
@@ -128,12 +95,12 @@ impl<P: PairPass> Job<'_, P> {
             let end = (first + R::RECEIVERS).min(out.len());
             let own = &mut out[first..end];
             let (first, last) = (self.first_slot + first, self.first_slot + end - 1);
-            let group = Group { setup: &setup, particles, lists, surroundings: &self.surroundings, first, last };
+            let group = Group { setup, particles, lists, surroundings: &self.surroundings, first, last };
             let count = self.pass.group::<R>(&group, own);
             self.largest = self.largest.max(count);
         }
         if !absent.is_empty() {
-            self.pass.absent(&setup, absent);
+            self.pass.absent(setup, absent);
         }
     }
 }

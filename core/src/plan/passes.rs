@@ -43,7 +43,7 @@ macro_rules! with_passes {
             /// Finds the support radius of each particle (where they vary).
             Support: c_density / support, particles, reads, if |m| m.variable_support == 1, [
                 read previous_density_pressure, write support_ratio];
-            /// Lists the neighbours of each particle; where density follows from distances alone, that pass does.
+            /// Lists the neighbours of each particle, unless density follows from distances alone: then the density pass does.
             Neighbours: c_density / neighbours, host, reads, if |m| !m.sums_distances(), [];
             /// Computes density, pressure and volume.
             Density: c_density / density, particles, reads, if |_| true, [

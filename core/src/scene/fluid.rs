@@ -15,7 +15,7 @@ pub struct Fluid {
     pub rest_density: f32,
     /// Speed of sound, m/s (default 10); about ten times the fastest flow keeps the density within 1 %.
     pub speed_of_sound: f32,
-    /// How pressure follows from density (default the model's). Of no use where pressure is iterated.
+    /// How pressure follows from density (default the model's). A scene whose pressure is iterated refuses it.
     pub equation_of_state: Option<EquationOfState>,
     /// Particles inside its own support radius (default the scene's). The scene then has the smallest support radius of its
     /// fluids (S0 section 3.3).

@@ -1,4 +1,5 @@
 //! The refusals that many fields share.
+use crate::arithmetic::codes::ROW_BITS;
 use crate::error::SceneError;
 use crate::scene::Scene;
 
@@ -10,8 +11,11 @@ macro_rules! field {
 }
 pub(super) use field;
 
-/// Most particles of a scene: an id shares a word with an axis or a quantity in an error report.
+/// Most particles of a scene: an id shares a word with an axis or a quantity in an error report, and a word holds how many
+/// bytes a particle's row is away from the first.
 pub(super) const MOST_PARTICLES: u64 = (1 << 28) - 1;
+
+const _: () = assert!(MOST_PARTICLES < 1 << (u32::BITS - ROW_BITS));
 
 pub(super) fn finite(field: &'static str, values: &[f32]) -> Result<(), SceneError> {
     match values.iter().find(|v| !v.is_finite()) {

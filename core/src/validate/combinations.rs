@@ -139,6 +139,10 @@ fn pressure(scene: &Scene) -> Result<(), SceneError> {
     }
     let unused = |fluid: &Fluid| fluid.stiffness.is_some() && scene.equation_of(fluid) != EquationOfState::Tait;
     if let Some(number) = scene.fluids().position(unused) {
+        if scene.corrects_pressure() {
+            let (field, solver) = (field!(number, "stiffness"), "model.pressure_solver PressureCorrection");
+            return Err(not_together(field, solver, "nothing would use it"));
+        }
         return Err(not_together(
             field!(number, "stiffness"),
             "an equation_of_state other than Tait",

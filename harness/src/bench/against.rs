@@ -4,7 +4,8 @@ use super::Options;
 use crate::failure::Failure;
 use crate::output::deliver;
 use serde::Serialize;
-use std::path::Path;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// Result of `bench --against`.
@@ -23,8 +24,11 @@ pub(super) struct Against {
 /// # Errors
 /// A binary that does not start, fails, or says something else than a bench does.
 pub(super) fn execute(options: &Options, other: &Path) -> Result<bool, Failure> {
-    let this = std::env::current_exe().map_err(|e| Failure::System(format!("no path of this program: {e}")))?;
-    let arguments = arguments();
+    let found = |path: std::io::Result<PathBuf>, what: &str| path.map_err(|e| Failure::Call(format!("{what}: {e}")));
+    let this = found(std::env::current_exe(), "this program does not find its own file")?;
+    // a name alone would be looked for among the system's programs
+    let other = &found(std::fs::canonicalize(other), &other.display().to_string())?;
+    let arguments = arguments(std::env::args_os().skip(1));
     let (mut times, mut others) = (Vec::new(), Vec::new());
     for _ in 0..options.rounds {
         times.push(shortest_step(&this, &arguments)?);
@@ -42,16 +46,16 @@ pub(super) fn execute(options: &Options, other: &Path) -> Result<bool, Failure> 
 }
 
 /// What this program was called with, less what the other build is not to do.
-fn arguments() -> Vec<String> {
-    let mut given = std::env::args().skip(1);
+fn arguments(given: impl Iterator<Item = OsString>) -> Vec<OsString> {
+    let mut given = given;
     let mut kept = Vec::new();
     while let Some(argument) = given.next() {
-        match argument.as_str() {
-            "--against" | "--rounds" | "--out" => {
-                given.next();
-            }
+        let name = argument.to_string_lossy();
+        let (name, has_value) = name.split_once('=').map_or((&*name, false), |(name, _)| (name, true));
+        match name {
+            "--against" | "--rounds" | "--out" if has_value => {}
+            "--against" | "--rounds" | "--out" => drop(given.next()),
             "--json" => {}
-            other if ["--against=", "--rounds=", "--out="].iter().any(|own| other.starts_with(own)) => {}
             _ => kept.push(argument),
         }
     }
@@ -60,7 +64,7 @@ fn arguments() -> Vec<String> {
 }
 
 /// The shortest step of one run, ms.
-fn shortest_step(binary: &Path, arguments: &[String]) -> Result<f64, Failure> {
+fn shortest_step(binary: &Path, arguments: &[OsString]) -> Result<f64, Failure> {
     let failed = |why: String| Failure::System(format!("{}: {why}", binary.display()));
     let run = Command::new(binary).args(arguments).stderr(Stdio::inherit()).output();
     let output = run.map_err(|e| failed(e.to_string()))?;
@@ -68,5 +72,18 @@ fn shortest_step(binary: &Path, arguments: &[String]) -> Result<f64, Failure> {
         return Err(failed(output.status.to_string()));
     }
     let document: serde_json::Value = serde_json::from_slice(&output.stdout).map_err(|e| failed(e.to_string()))?;
-    document["ms_per_step"]["min"].as_f64().ok_or_else(|| failed("its bench names no shortest step".into()))
+    document["ms_per_step"]["min"].as_f64().ok_or_else(|| failed("its document has no ms_per_step.min".into()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_other_build_is_called_as_this_one_was_but_for_what_is_this_ones_own() {
+        let given = "bench drop --against old --steps 3 --rounds=2 --set fluid.xsph=0.1 --json --out=x --threads 1";
+        let kept = arguments(given.split(' ').map(OsString::from));
+        let expected = "bench drop --steps 3 --set fluid.xsph=0.1 --threads 1 --json";
+        assert_eq!(kept, expected.split(' ').map(OsString::from).collect::<Vec<_>>());
+    }
 }

@@ -49,7 +49,7 @@ pub(super) fn time_cpu(
         steps,
         passes: shortest.passes(),
         ms_at_once: None,
-        lists: Some(solver.lists()),
+        lists: solver.lists(),
         first,
         last: Snapshot::of_cpu(solver),
     })
@@ -85,29 +85,43 @@ impl Shortest {
 
 pub(super) fn time_gpu(solver: &Solver<'_>, options: &Options, bar: &indicatif::ProgressBar) -> Result<Timed, Failure> {
     let gpu = Gpu::open(None, Mode::Strict)?;
-    let mut solver = GpuSolver::new(&gpu, solver)?;
-    // the first step makes the driver compile
-    solver.step(options.warm_up.max(1))?;
-    bar.inc(u64::from(options.warm_up));
-    let first = Snapshot::of_gpu(&solver)?;
+    // the same steps three times: one by one, all at once, and with the clock of the passes
+    bar.set_length(3 * (u64::from(options.warm_up) + u64::from(options.steps)));
+    let warm = || {
+        let mut fluid = GpuSolver::new(&gpu, solver)?;
+        fluid.step(options.warm_up)?;
+        bar.inc(u64::from(options.warm_up));
+        Ok::<_, GpuError>(fluid)
+    };
+    // drivers compile when a program first runs
+    GpuSolver::new(&gpu, solver)?.step(1)?;
+    let mut fluid = warm()?;
+    let first = Snapshot::of_gpu(&fluid)?;
     let mut steps = Vec::new();
     for _ in 0..options.steps {
-        let (result, ms) = timed(|| solver.step(1));
+        let (result, ms) = timed(|| fluid.step(1));
         result?;
         steps.push(ms);
         bar.inc(1);
     }
-    let last = Snapshot::of_gpu(&solver)?;
-    let (result, ms) = timed(|| solver.step(options.steps));
+    let last = Snapshot::of_gpu(&fluid)?;
+    let mut fluid = warm()?;
+    let (result, ms) = timed(|| fluid.step(options.steps));
     result?;
+    bar.inc(u64::from(options.steps));
     let ms_at_once = Some(ms / f64::from(options.steps));
+    let mut fluid = warm()?;
     let mut shortest = Shortest::default();
     for _ in 0..options.steps {
-        match solver.step_timed() {
+        match fluid.step_timed() {
             Ok(times) => shortest.add_step(times.into_iter()),
-            Err(GpuError::NoPassTimes { .. } | GpuError::TooManyPasses { .. }) => break,
+            Err(error @ (GpuError::NoPassTimes { .. } | GpuError::TooManyPasses { .. })) => {
+                eprintln!("the passes were not timed: {error}");
+                break;
+            }
             Err(error) => return Err(error.into()),
         }
+        bar.inc(1);
     }
     Ok(Timed { path: gpu.name(), steps, passes: shortest.passes(), ms_at_once, lists: None, first, last })
 }

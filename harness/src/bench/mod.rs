@@ -76,7 +76,7 @@ pub struct Bench {
     pub simd: String,
     /// Time of a step.
     pub ms_per_step: Milliseconds,
-    /// Shortest time of each pass, on a GPU by the device's own clock; empty on a GPU that has none.
+    /// Shortest time of each pass, on a GPU by the device's own clock; empty where a device cannot time them.
     pub passes: Vec<PassTime>,
     /// Time of a step, ms, where a GPU is given all steps at once and asked for nothing in between.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -184,8 +184,11 @@ fn bench(named: &Named, options: &Options) -> Result<Bench, Failure> {
             SimdName::Avx2 => Simd::Avx2,
             SimdName::Avx512 => Simd::Avx512,
         };
-        if options.backend == BackendName::Gpu || simd.or_best() != simd {
-            return Err(Failure::Call(format!("--simd {name:?} is not available here").to_lowercase()));
+        if options.backend == BackendName::Gpu {
+            return Err(Failure::Call("--simd is for the CPU: leave --backend gpu out".into()));
+        }
+        if simd.or_best() != simd {
+            return Err(Failure::Call(format!("this processor has no {name:?}").to_lowercase()));
         }
         solver = solver.at_level(simd);
     }

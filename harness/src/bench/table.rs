@@ -3,7 +3,7 @@ use super::Bench;
 
 /// The times in words.
 pub(super) fn table(b: &Bench) -> String {
-    let mut out = format!("{}: {} particles, {} threads, {}\n", b.scene, b.particles, b.threads, b.simd);
+    let mut out = format!("{}: {} particles, {}, {}\n", b.scene, b.particles, threads(b.threads), b.simd);
     out += &format!("  {:8.3} ms a step at least, {:.3} median\n", b.ms_per_step.min, b.ms_per_step.median);
     if let Some(ms) = b.ms_per_step_at_once {
         out += &format!("  {ms:8.3} ms a step where the device is given all of them at once\n");
@@ -19,7 +19,7 @@ pub(super) fn table(b: &Bench) -> String {
     out += &format!("  {:8.3} of real time\n", b.real_time_factor);
     if let Some(lists) = &b.lists {
         out += &format!(
-            "  {:8.1} million pairs a second, {:.0} % of the lists' places hold one, {} of {} groups listed\n",
+            "  {:8.1} million pairs a second, lanes {:.0} % full, {} of {} groups have lists\n",
             lists.million_pairs_per_second,
             lists.filling * 100.0,
             lists.listed,
@@ -40,4 +40,8 @@ pub(super) fn table(b: &Bench) -> String {
         out += &format!("  time grows with the number of particles to the power {:.3}\n", scaling.exponent);
     }
     out
+}
+
+fn threads(count: usize) -> String {
+    format!("{count} thread{}", if count == 1 { "" } else { "s" })
 }

@@ -211,7 +211,7 @@ pub(super) fn choose(file: &SceneFile, choice: &Choice) -> Result<SceneFile, Fai
 
 fn has_equation_of_state(scene: &Scene) -> Result<(), &'static str> {
     if scene.corrects_pressure() {
-        Err("the scene's pressure is iterated, and follows from no equation")
+        Err("the scene iterates its pressure, so that equations of state have no effect")
     } else {
         Ok(())
     }

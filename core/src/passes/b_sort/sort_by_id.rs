@@ -8,10 +8,9 @@ use crate::grid::is_limbo;
 use crate::memory::Sorting;
 use crate::passes::context::{Step, sorting};
 use crate::passes::pairs::cells;
-use core::ops::Range;
 
 struct Job<'a> {
-    cells: Range<usize>,
+    first_cell: usize,
     first_slot: usize,
     source_slot: &'a mut [u32],
     id: &'a mut [u32],
@@ -28,10 +27,10 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let mut jobs = Jobs::new();
     for (share, slots) in cells.shares(parts(step.executor), old_id.len()) {
         let (source_slot, id) = (take(&mut sources, slots.len()), take(&mut ids, slots.len()));
-        let _ = jobs.push(Job { cells: share, first_slot: slots.start, source_slot, id });
+        let _ = jobs.push(Job { first_cell: share.start, first_slot: slots.start, source_slot, id });
     }
     step.executor.run(&mut jobs, |job| {
-        let (mut cell, end) = (job.cells.start, job.first_slot + job.id.len());
+        let (mut cell, end) = (job.first_cell, job.first_slot + job.id.len());
         let mut next = job.first_slot;
         while next < end {
             if places == 0 {

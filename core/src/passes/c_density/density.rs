@@ -3,6 +3,7 @@ use crate::arithmetic::lanes::{Lanes, Slots};
 use crate::arithmetic::real::{less, real, select, vec3};
 use crate::executor::Executor;
 use crate::layout::f32x4;
+use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
 use crate::passes::group::{Group, fold, masked};
 use crate::passes::listing::{self, Near, Visit};
@@ -14,7 +15,6 @@ use crate::terms::density::{
     continuity_neighbour, deviation_of_sum, deviation_rate, deviation_stepped, is_stepped, number_density_neighbour,
     summed_neighbour, volume_by_number, volume_close,
 };
-use crate::terms::kernel::if_inside;
 use crate::terms::near::{ARTICLE, near_density_neighbour, near_pressure_close};
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use crate::terms::state::{pressure_close, pressure_of_state};
@@ -70,7 +70,7 @@ impl<R: Lanes> Receivers<'_, R> {
             // where the pair was in the middle of the step
             let v_ab = self.velocity - vec3(vx, vy, vz);
             let x_ab = x_ab - v_ab * real(u.half_time_step);
-            if_inside(q2, continuity_neighbour(m, p, t, x_ab, v_ab, mass_b, scale))
+            continuity_neighbour(m, p, t, x_ab, v_ab, mass_b, scale)
         } else {
             summed_neighbour(m, t, mass_b, q2, scale)
         };
@@ -83,7 +83,7 @@ impl<R: Lanes> Receivers<'_, R> {
 impl PairPass for Density<'_> {
     fn work(job: &mut Job<'_, Self>) {
         // usual scenes sum distances
-        job.run_general();
+        by_model::run_general(job);
     }
 
     fn absent(&self, setup: &Setup<'_>, own: &mut [f32x4]) {
@@ -107,7 +107,7 @@ impl PairPass for Density<'_> {
 
 impl Visit for Density<'_> {
     fn work(job: &mut listing::Job<'_, Self>) {
-        job.run();
+        by_model::run(job);
     }
 
     #[inline(always)]

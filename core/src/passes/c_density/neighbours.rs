@@ -3,6 +3,7 @@
 use crate::arithmetic::lanes::Lanes;
 use crate::executor::Executor;
 use crate::layout::f32x4;
+use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
 use crate::passes::group::Group;
 use crate::passes::listing::{self, Job, Near, Visit};
@@ -29,7 +30,7 @@ struct NoVisit;
 impl Visit for NoVisit {
     fn work(job: &mut Job<'_, Self>) {
         // usual scenes sum distances
-        job.run_general();
+        by_model::run_general(job);
     }
 
     #[inline(always)]

@@ -3,6 +3,7 @@ use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{less, real, select, vec3};
 use crate::executor::Executor;
 use crate::layout::f32x4;
+use crate::passes::by_model;
 use crate::passes::context::Step;
 use crate::passes::group::{Group, fold};
 use crate::passes::local::particles;
@@ -22,7 +23,7 @@ struct Exposure;
 impl PairPass for Exposure {
     fn work(job: &mut Job<'_, Self>) {
         // usual scenes have no air
-        job.run_general();
+        by_model::run_general(job);
     }
 
     #[inline(always)]

@@ -4,6 +4,7 @@ use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{real, vec3};
 use crate::executor::Executor;
 use crate::layout::f32x4;
+use crate::passes::by_model;
 use crate::passes::context::Step;
 use crate::passes::field;
 use crate::passes::group::{Group, fold};
@@ -28,7 +29,7 @@ struct Force;
 
 impl PairPass for Force {
     fn work(job: &mut Job<'_, Self>) {
-        job.run();
+        by_model::run(job);
     }
 
     #[inline(always)]
@@ -47,7 +48,7 @@ impl PairPass for Force {
         });
         let mut driven = acceleration_close(m, p, xyz(force), a);
         if m.exchange == 1 {
-            let [x, y, z, shares] = fold!(group: R, |slots| {
+            let [x, y, z, shares] = fold!(group: R, adds nothing to itself, |slots| {
                 let b = group.neighbours(slots);
                 let vec3 { x, y, z } = exchange_neighbour(m, p, a, b);
                 [x, y, z, exchange_share(m, p, a, b)]

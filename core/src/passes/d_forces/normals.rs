@@ -4,6 +4,7 @@ use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::real::{less, real, select, vec3};
 use crate::executor::Executor;
 use crate::layout::f32x4;
+use crate::passes::by_model;
 use crate::passes::context::Step;
 use crate::passes::group::{Group, fold};
 use crate::passes::local::particles;
@@ -22,7 +23,7 @@ struct Normals;
 
 impl PairPass for Normals {
     fn work(job: &mut Job<'_, Self>) {
-        job.run();
+        by_model::run(job);
     }
 
     #[inline(always)]

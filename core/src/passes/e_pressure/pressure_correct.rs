@@ -3,14 +3,14 @@ use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{less, real, select};
 use crate::executor::Executor;
 use crate::layout::f32x4;
+use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
 use crate::passes::group::{Group, fold};
 use crate::passes::local::{own_numbers, particles};
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::correction::{density_miss, inverse_correction, predicted_velocity, pressure_corrected, residual};
 use crate::terms::density::{continuity_neighbour, deviation_rate};
-use crate::terms::kernel::if_inside;
-use crate::terms::pair::{pair_scale, separation, squared_ratio};
+use crate::terms::pair::{pair_scale, separation};
 use crate::terms::wall::{MIRRORED, mass_seen};
 
 /// Corrects the pressures, and notes the largest miss.
@@ -28,7 +28,7 @@ struct PressureCorrect<'a> {
 
 impl PairPass for PressureCorrect<'_> {
     fn work(job: &mut Job<'_, Self>) {
-        job.run();
+        by_model::run(job);
     }
 
     fn absent(&self, _: &Setup<'_>, _: &mut [f32x4]) {}
@@ -48,9 +48,8 @@ impl PairPass for PressureCorrect<'_> {
             let x_ab = separation(m, p, a.position, b.position);
             let scale = pair_scale(m, a.support, b.support);
             let v_ab = v_a - predicted_velocity(u, b.velocity, xyz(R::gather(self.acceleration, slots)));
-            let q2 = squared_ratio(m, p, x_ab, scale);
             let mass = mass_seen(m, a.rest, b.mass, b.rest, b.wall);
-            [if_inside(q2, continuity_neighbour(m, p, t, x_ab, v_ab, mass, scale)), none, none, none]
+            [continuity_neighbour(m, p, t, x_ab, v_ab, mass, scale), none, none, none]
         });
         let [deviation, before, near_pressure, volume] = own_numbers::<R>(own);
         let k = particles.stiffness::<R>(setup, group.first, group.last);

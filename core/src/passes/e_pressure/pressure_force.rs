@@ -3,6 +3,7 @@ use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{real, vec3};
 use crate::executor::Executor;
 use crate::layout::f32x4;
+use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
 use crate::passes::group::{Group, fold};
 use crate::passes::local::particles;
@@ -25,7 +26,7 @@ struct PressureForce<'a> {
 
 impl PairPass for PressureForce<'_> {
     fn work(job: &mut Job<'_, Self>) {
-        job.run();
+        by_model::run(job);
     }
 
     #[inline(always)]

@@ -3,6 +3,7 @@ use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{less, real, select};
 use crate::executor::Executor;
 use crate::layout::f32x4;
+use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
 use crate::passes::group::{Group, fold};
 use crate::passes::local::{own_numbers, particles};
@@ -25,7 +26,7 @@ struct InternalEnergy<'a> {
 
 impl PairPass for InternalEnergy<'_> {
     fn work(job: &mut Job<'_, Self>) {
-        job.run();
+        by_model::run(job);
     }
 
     /// As fresh as whoever is made of it next.
@@ -48,7 +49,7 @@ impl PairPass for InternalEnergy<'_> {
         });
         let mut rate = heat_close(m, p, sum, a);
         if m.exchange == 1 {
-            let [heat, shares, ..] = fold!(group: R, |slots| {
+            let [heat, shares, ..] = fold!(group: R, adds nothing to itself, |slots| {
                 let b = group.neighbours(slots);
                 let v_ab = v_a - xyz(R::gather(self.ahead, slots));
                 [exchange_heat(m, p, a, b, v_ab), exchange_share(m, p, a, b), none, none]
