@@ -1,9 +1,10 @@
-//! Loops over pairs are compiled twice at each level: for the usual scenes, of which the compiler knows most of the model, and for all
-//! others. Each is a function of its own: unoptimised, the two in one would take more stack than a thread of a host may have.
+//! Loops over pairs are compiled more than once at each level: for several kinds of scene, of which the compiler then knows most of
+//! the model, and for all others. Each is a function of its own: unoptimised, all in one would take more stack than a thread of a host
+//! may have.
 use super::context::Setup;
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::level::Work;
-use crate::layout::Model;
+use crate::plan::known::Known;
 
 /// A job of a loop over pairs.
 pub(crate) trait PairJob<'a> {
@@ -14,43 +15,35 @@ pub(crate) trait PairJob<'a> {
     fn run_by<R: Lanes>(&mut self, setup: &Setup<'_>);
 }
 
-/// Does a job, by the model of the usual scenes where it can.
+/// Does a job, by the most that is known of its model.
 #[inline(always)]
 pub(crate) fn run<'a>(job: &mut impl PairJob<'a>) {
     let Setup { simd, model, .. } = job.setup();
-    if model.is_plain() { simd.run(Plain(job)) } else { simd.run(General(job)) }
+    match Known::of(model) {
+        Known::OneMaterial => simd.run(By::<_, 0>(job)),
+        Known::NoPeriods => simd.run(By::<_, 1>(job)),
+        Known::Periods => simd.run(By::<_, 2>(job)),
+        Known::Nothing => simd.run(By::<_, 3>(job)),
+    }
 }
 
-/// Does a job that no usual scene has.
+/// Does a job with nothing known: for passes that few scenes have.
 #[inline(always)]
 pub(crate) fn run_general<'a>(job: &mut impl PairJob<'a>) {
     let simd = job.setup().simd;
-    simd.run(General(job));
+    simd.run(By::<_, 3>(job));
 }
 
-struct Plain<'j, J>(&'j mut J);
-struct General<'j, J>(&'j mut J);
+/// A job, by what is known of its model: that number of [`Known::ALL`].
+struct By<'j, J, const KNOWN: usize>(&'j mut J);
 
-impl<'a, J: PairJob<'a>> Work for Plain<'_, J> {
+impl<'a, J: PairJob<'a>, const KNOWN: usize> Work for By<'_, J, KNOWN> {
     #[inline(always)]
     fn run<R: Lanes>(self) {
-        let model = self.0.setup().model.plain();
-        run_by::<R>(self.0, model);
+        let setup = self.0.setup();
+        // copies of this function's own, so that the compiler sees that nothing changes them
+        let model = const { Known::ALL[KNOWN] }.in_model(setup.model);
+        let parameters = *setup.parameters;
+        self.0.run_by::<R>(&Setup { model: &model, parameters: &parameters, ..setup });
     }
-}
-
-impl<'a, J: PairJob<'a>> Work for General<'_, J> {
-    #[inline(always)]
-    fn run<R: Lanes>(self) {
-        let model = *self.0.setup().model;
-        run_by::<R>(self.0, model);
-    }
-}
-
-/// Model and parameters are copies of this function's own, so that the compiler sees that nothing changes them.
-#[inline(always)]
-fn run_by<'a, R: Lanes>(job: &mut impl PairJob<'a>, model: Model) {
-    let setup = job.setup();
-    let parameters = *setup.parameters;
-    job.run_by::<R>(&Setup { model: &model, parameters: &parameters, ..setup });
 }

@@ -5,7 +5,6 @@ use crate::terms::density::{counts_masses, is_stepped};
 use crate::terms::integrate::{SEMI_IMPLICIT_EULER, knows_velocity};
 use crate::terms::table::DIRECT;
 use crate::terms::tension::{CURVATURE, NORMAL_CURVATURE};
-use crate::terms::viscosity::{MUELLER_VISCOSITY, NO_VISCOSITY};
 
 impl Model {
     /// Does a step need the density and pressure of the particles before it?
@@ -50,38 +49,5 @@ impl Model {
         self.integrator = SEMI_IMPLICIT_EULER;
         self.reevaluates = 0;
         self
-    }
-
-    /// Is this one of the usual scenes, of one fluid on fixed supports between planes? Loops over pairs are compiled for
-    /// these once more, without what only the others need: that is worth a factor of two.
-    #[must_use]
-    pub(crate) fn is_plain(&self) -> bool {
-        *self == self.plain()
-    }
-
-    /// This model, as the compiler may take it for granted where [`Model::is_plain`] says so.
-    #[inline(always)]
-    #[must_use]
-    pub(crate) fn plain(&self) -> Model {
-        // curvature acts in passes of its own
-        Model {
-            evaluation: 0,
-            density: 0,
-            iteration: 0,
-            viscosity: if self.viscosity == NO_VISCOSITY { NO_VISCOSITY } else { MUELLER_VISCOSITY },
-            exchange: 0,
-            field: 0,
-            wall_particles: 0,
-            periodic: 0,
-            variable_support: 0,
-            masses: 0,
-            species: 0,
-            fluids: 0,
-            states: 0,
-            numbers: 0,
-            air: 0,
-            tension: if self.has_curvature() { self.tension } else { 0 },
-            ..*self
-        }
     }
 }

@@ -6,6 +6,7 @@
 pub mod arrays;
 mod explain;
 mod features;
+pub(crate) mod known;
 pub mod passes;
 pub mod schedule;
 

@@ -82,8 +82,7 @@ impl<R: Lanes> Receivers<'_, R> {
 
 impl PairPass for Density<'_> {
     fn work(job: &mut Job<'_, Self>) {
-        // usual scenes sum distances
-        by_model::run_general(job);
+        by_model::run(job);
     }
 
     fn absent(&self, setup: &Setup<'_>, own: &mut [f32x4]) {

@@ -29,8 +29,7 @@ struct NoVisit;
 
 impl Visit for NoVisit {
     fn work(job: &mut Job<'_, Self>) {
-        // usual scenes sum distances
-        by_model::run_general(job);
+        by_model::run(job);
     }
 
     #[inline(always)]
