@@ -41,6 +41,16 @@ pub trait Real:
     fn less(self, y: Self) -> Self::Mask;
     /// `yes` where the mask holds, else `no`.
     fn select(no: Self, yes: Self, mask: Self::Mask) -> Self;
+    /// The larger of two; `self` where they compare equal or not at all.
+    #[inline(always)]
+    fn larger(self, y: Self) -> Self {
+        Self::select(self, y, self.less(y))
+    }
+    /// The smaller of two; `self` where they compare equal or not at all.
+    #[inline(always)]
+    fn smaller(self, y: Self) -> Self {
+        Self::select(self, y, y.less(self))
+    }
 }
 
 /// A literal, or a constant of the scene, as a number.
@@ -95,13 +105,13 @@ pub fn select<R: Real>(no: R, yes: R, mask: R::Mask) -> R {
 /// The larger of two; `x` where they compare equal or not at all.
 #[inline(always)]
 pub fn larger<R: Real>(x: R, y: R) -> R {
-    select(x, y, less(x, y))
+    x.larger(y)
 }
 
 /// The smaller of two; `x` where they compare equal or not at all.
 #[inline(always)]
 pub fn smaller<R: Real>(x: R, y: R) -> R {
-    select(x, y, less(y, x))
+    x.smaller(y)
 }
 
 /// Denormals and -0 become +0: some devices flush them, so what is stored never holds one.

@@ -20,7 +20,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// inside of what `level::run_avx2` and `level::run_avx512` run, where the processor was seen to have it.
 macro_rules! vector {
     ($(#[$doc:meta])* $name:ident: $register:ty, $lanes:literal lanes, masks: $mask:ty, by $by:ident,
-        $set:ident $add:ident $sub:ident $mul:ident $div:ident $root:ident $xor:ident $and_not:ident
+        $set:ident $add:ident $sub:ident $mul:ident $div:ident $max:ident $min:ident $root:ident $xor:ident $and_not:ident
         $low:ident $high:ident $shuffle:ident $load:ident $store:ident,
         less: $less:expr, select: $select:expr) => {
         $(#[$doc])*
@@ -89,6 +89,15 @@ macro_rules! vector {
             #[inline(always)]
             fn select(no: Self, yes: Self, mask: $mask) -> Self {
                 $name(unsafe { $select(no.0, yes.0, mask) })
+            }
+            // these instructions give their second operand where the two compare equal or not at all
+            #[inline(always)]
+            fn larger(self, y: Self) -> Self {
+                $name(unsafe { $max(y.0, self.0) })
+            }
+            #[inline(always)]
+            fn smaller(self, y: Self) -> Self {
+                $name(unsafe { $min(y.0, self.0) })
             }
         }
 
@@ -402,7 +411,7 @@ mod avx512 {
 vector! {
     /// Four numbers in a register of SSE.
     Sse: __m128, 4 lanes, masks: __m128, by sse,
-    _mm_set1_ps _mm_add_ps _mm_sub_ps _mm_mul_ps _mm_div_ps _mm_sqrt_ps _mm_xor_ps _mm_andnot_ps
+    _mm_set1_ps _mm_add_ps _mm_sub_ps _mm_mul_ps _mm_div_ps _mm_max_ps _mm_min_ps _mm_sqrt_ps _mm_xor_ps _mm_andnot_ps
     _mm_unpacklo_ps _mm_unpackhi_ps _mm_shuffle_ps _mm_loadu_ps _mm_storeu_ps,
     less: _mm_cmplt_ps, select: sse::blend
 }
@@ -410,7 +419,7 @@ vector! {
 vector! {
     /// Eight numbers in a register of AVX.
     Avx: __m256, 8 lanes, masks: __m256, by avx,
-    _mm256_set1_ps _mm256_add_ps _mm256_sub_ps _mm256_mul_ps _mm256_div_ps _mm256_sqrt_ps _mm256_xor_ps _mm256_andnot_ps
+    _mm256_set1_ps _mm256_add_ps _mm256_sub_ps _mm256_mul_ps _mm256_div_ps _mm256_max_ps _mm256_min_ps _mm256_sqrt_ps _mm256_xor_ps _mm256_andnot_ps
     _mm256_unpacklo_ps _mm256_unpackhi_ps _mm256_shuffle_ps _mm256_loadu_ps _mm256_storeu_ps,
     less: _mm256_cmp_ps::<_CMP_LT_OQ>, select: _mm256_blendv_ps
 }
@@ -418,7 +427,7 @@ vector! {
 vector! {
     /// Sixteen numbers in a register of AVX-512.
     Avx512: __m512, 16 lanes, masks: __mmask16, by avx512,
-    _mm512_set1_ps _mm512_add_ps _mm512_sub_ps _mm512_mul_ps _mm512_div_ps _mm512_sqrt_ps _mm512_xor_ps _mm512_andnot_ps
+    _mm512_set1_ps _mm512_add_ps _mm512_sub_ps _mm512_mul_ps _mm512_div_ps _mm512_max_ps _mm512_min_ps _mm512_sqrt_ps _mm512_xor_ps _mm512_andnot_ps
     _mm512_unpacklo_ps _mm512_unpackhi_ps _mm512_shuffle_ps _mm512_loadu_ps _mm512_storeu_ps,
     less: _mm512_cmp_ps_mask::<_CMP_LT_OQ>, select: avx512::select
 }
