@@ -3,6 +3,8 @@
 //! The cells wrap around, so far particles may share one; the distance test sorts them out. The stencil runs z, then y,
 //! then x ascending in unwrapped coordinates, and members of a cell stand in the order of their ids: this order of
 //! summation is part of the specification, and no structure, grid size or history changes it.
+pub(crate) mod lanes;
+
 use crate::executor::share_of;
 use crate::layout::{Model, Parameters, f32x4};
 use core::ops::Range;
@@ -15,12 +17,14 @@ pub const FARTHEST_CELL: f32 = 4_194_304.0;
 #[must_use]
 pub fn cell_coordinate(p: &Parameters, axis: usize, x: f32) -> Option<i32> {
     let scaled = (x - p.domain_low[axis]) * p.inverse_cell[axis];
-    if scaled.abs() < FARTHEST_CELL {
-        let towards_zero = scaled as i32;
-        Some(towards_zero - i32::from(towards_zero as f32 > scaled))
-    } else {
-        None
-    }
+    (scaled.abs() < FARTHEST_CELL).then(|| floor_of(scaled))
+}
+
+/// The largest whole number that is not larger.
+#[inline(always)]
+fn floor_of(scaled: f32) -> i32 {
+    let towards_zero = scaled as i32;
+    towards_zero - i32::from(towards_zero as f32 > scaled)
 }
 
 /// Index of the wrapped cell at unwrapped coordinates: floor and Euclidean remainder (S0 source 4.2 per errata).
@@ -34,8 +38,14 @@ pub fn cell_index(p: &Parameters, c: [i32; 3]) -> u32 {
 /// Euclidean remainder. Nearly all coordinates are less than a period off, and a division costs as much as trying a few neighbours.
 #[inline(always)]
 fn wrapped(c: i32, count: i32) -> i32 {
-    let near = c + if c < 0 { count } else { 0 } - if c >= count { count } else { 0 };
+    let near = within_a_period(c, count);
     if (0..count).contains(&near) { near } else { c.rem_euclid(count) }
+}
+
+/// The remainder of a coordinate that is less than a period off, else some other number beyond the grid.
+#[inline(always)]
+fn within_a_period(c: i32, count: i32) -> i32 {
+    c + if c < 0 { count } else { 0 } - if c >= count { count } else { 0 }
 }
 
 /// Cell of a position.

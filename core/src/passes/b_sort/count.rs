@@ -2,14 +2,19 @@
 //!
 //! Counting is serial: it is one increment a particle. On a GPU the ranks depend on who comes first; `sort_by_id` undoes that.
 //! Inactive particles come to the last cell, wherever they lie.
+use crate::arithmetic::lanes::Lanes;
+use crate::arithmetic::level::Work;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::grid::cell_of;
+use crate::grid::lanes::cells_of;
 use crate::layout::{NONE, f32x4};
 use crate::memory::Sorting;
 use crate::passes::context::{Setup, Step, sorting};
 use crate::passes::lanes::is_dormant;
+use core::ops::Range;
 
 struct Job<'a> {
+    setup: Setup<'a>,
     position: &'a [f32x4],
     velocity: &'a [f32x4],
     id: &'a [u32],
@@ -36,27 +41,55 @@ fn find(
     id: &[u32],
     cell: &mut [u32],
 ) -> u32 {
-    let (m, p) = (setup.model, setup.parameters);
     let mut cells = cell;
     let mut jobs = Jobs::new();
     for slots in shares(id.len(), parts(executor)) {
         let cell = take(&mut cells, slots.len());
         let (position, velocity) = (&position[slots.clone()], &velocity[slots.clone()]);
-        let _ = jobs.push(Job { position, velocity, id: &id[slots], cell, out_of_range: NONE });
+        let _ = jobs.push(Job { setup, position, velocity, id: &id[slots], cell, out_of_range: NONE });
     }
-    executor.run(&mut jobs, |job| {
-        for (((cell, x), v), id) in job.cell.iter_mut().zip(job.position).zip(job.velocity).zip(job.id) {
-            if m.air == 1 && is_dormant(setup.materials, v[3]) {
-                *cell = p.cells[3] - 1;
-                continue;
-            }
-            match cell_of(p, *x) {
-                Ok(index) => *cell = index,
-                Err(axis) => job.out_of_range = job.out_of_range.min(4 * id + axis),
+    executor.run(&mut jobs, work);
+    jobs.iter().map(|job| job.out_of_range).min().unwrap_or(NONE)
+}
+
+/// Compiled once, in this crate: see [`PairPass::work`](crate::passes::pairs::PairPass::work).
+fn work(job: &mut Job<'_>) {
+    let simd = job.setup.simd;
+    simd.run(job);
+}
+
+impl Work for &mut Job<'_> {
+    #[inline(always)]
+    fn run<R: Lanes>(self) {
+        for first in (0..self.cell.len()).step_by(R::LANES) {
+            let end = (first + R::LANES).min(self.cell.len());
+            let near = cells_of::<R>(self.setup.parameters, |lane| &self.position[(first + lane).min(end - 1)]);
+            match near {
+                Some(cells) if self.setup.model.air == 0 => {
+                    self.cell[first..end].copy_from_slice(&cells[..end - first]);
+                }
+                _ => self.one_by_one(first..end),
             }
         }
-    });
-    jobs.iter().map(|job| job.out_of_range).min().unwrap_or(NONE)
+    }
+}
+
+impl Job<'_> {
+    /// Fills in the cells of these particles.
+    #[inline(never)]
+    fn one_by_one(&mut self, particles: Range<usize>) {
+        let Setup { model: m, parameters: p, materials, .. } = self.setup;
+        for i in particles {
+            if m.air == 1 && is_dormant(materials, self.velocity[i][3]) {
+                self.cell[i] = p.cells[3] - 1;
+                continue;
+            }
+            match cell_of(p, self.position[i]) {
+                Ok(cell) => self.cell[i] = cell,
+                Err(axis) => self.out_of_range = self.out_of_range.min(4 * self.id[i] + axis),
+            }
+        }
+    }
 }
 
 /// Fills `counter` and `rank`.
