@@ -178,6 +178,21 @@ impl Solver<'_> {
         pairs as f64 / fluid.max(1) as f64
     }
 
+    /// Pairs whose distance a step looks at to find those that are near: each particle with all in the cells around its own.
+    #[must_use]
+    pub fn tested_pairs(&mut self) -> u64 {
+        let (p, m) = (*self.parameters(), self.plan().model);
+        self.sort_again();
+        let scratch = &self.memory.scratch;
+        let cells = Cells { start: scratch.cell_start, counter: scratch.grid_cell_counters };
+        let full = (0..cells.start.len()).filter(|&cell| cells.counter[cell] > 0 && !is_limbo(&m, &p, cell));
+        let tested = |cell: usize| {
+            let around = Stencil::around(&p, m.layers as i32, cells, cell).runs().map(|run| run.len()).sum::<usize>();
+            u64::from(cells.counter[cell]) * around as u64
+        };
+        full.map(tested).sum()
+    }
+
     /// How full the neighbour lists of the last step are. None after a step that failed, and once a report has sorted the
     /// particles in the memory of the lists: ask for this one first.
     #[must_use]

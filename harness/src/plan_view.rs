@@ -150,7 +150,7 @@ fn in_words(command: Command) -> String {
 }
 
 /// The arrays that exist, with their bytes.
-fn arrays(requirements: &Requirements) -> Vec<ArrayView> {
+pub(crate) fn arrays(requirements: &Requirements) -> Vec<ArrayView> {
     let all = Array::ALL.iter().map(|&array| ArrayView { name: array.name(), bytes: requirements.bytes_of(array) });
     all.filter(|array| array.bytes > 0).collect()
 }

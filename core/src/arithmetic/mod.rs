@@ -20,6 +20,7 @@ pub(crate) mod lanes;
 pub(crate) mod level;
 #[cfg(not(target_arch = "x86_64"))]
 mod portable;
+pub mod probe;
 pub mod real;
 mod root;
 #[cfg(target_arch = "x86_64")]

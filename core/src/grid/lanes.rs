@@ -9,6 +9,7 @@ use crate::layout::{Parameters, f32x4};
 ///
 /// Whole numbers in loops over arrays, in which the compiler finds vectors: the vocabulary of the terms has none.
 #[inline(always)]
+#[expect(clippy::needless_bitwise_bool, reason = "a short cut would be a branch in each lane")]
 pub(crate) fn cells_of<'r, R: Lanes>(p: &Parameters, row: impl Fn(usize) -> &'r f32x4) -> Option<[u32; MOST_LANES]> {
     let [x, y, z, _] = R::load(row);
     let mut cells = [0; MOST_LANES];

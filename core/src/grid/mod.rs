@@ -24,7 +24,8 @@ pub fn cell_coordinate(p: &Parameters, axis: usize, x: f32) -> Option<i32> {
 #[inline(always)]
 fn floor_of(scaled: f32) -> i32 {
     let towards_zero = scaled as i32;
-    towards_zero - i32::from(towards_zero as f32 > scaled)
+    // what lies too far off may be any number: it is told by its range
+    towards_zero.wrapping_sub(i32::from(towards_zero as f32 > scaled))
 }
 
 /// Index of the wrapped cell at unwrapped coordinates: floor and Euclidean remainder (S0 source 4.2 per errata).
@@ -45,7 +46,7 @@ fn wrapped(c: i32, count: i32) -> i32 {
 /// The remainder of a coordinate that is less than a period off, else some other number beyond the grid.
 #[inline(always)]
 fn within_a_period(c: i32, count: i32) -> i32 {
-    c + if c < 0 { count } else { 0 } - if c >= count { count } else { 0 }
+    c.wrapping_add(if c < 0 { count } else { 0 }).wrapping_sub(if c >= count { count } else { 0 })
 }
 
 /// Cell of a position.

@@ -79,7 +79,7 @@ impl Shortest {
     /// Those of the passes that ran.
     fn passes(&self) -> Vec<PassTime> {
         let ran = Pass::ALL.into_iter().zip(self.0).filter(|(_, ms)| ms.is_finite());
-        ran.map(|(pass, ms)| PassTime { name: pass.name(), ms }).collect()
+        ran.map(|(pass, ms)| PassTime { name: pass.name(), ms, roof: None }).collect()
     }
 }
 

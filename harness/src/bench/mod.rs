@@ -1,6 +1,9 @@
 //! `bench`: how long a step takes, pass by pass.
 mod against;
+mod levels;
 mod measure;
+mod operations;
+mod roofline;
 mod structures;
 mod table;
 
@@ -9,11 +12,14 @@ use crate::census::{FirstLast, census};
 use crate::failure::Failure;
 use crate::fluid::start;
 use crate::output::{deliver, progress};
+use crate::plan_view::{ArrayView, arrays};
 use crate::pool::Pool;
 use crate::scenes::{Changes, Named, load};
 use crate::timing::Milliseconds;
+use levels::levels;
 use measure::{time_cpu, time_gpu};
 use millpond_core::{Executor, OwnedMemory, Requirements, Simd};
+use roofline::{ceilings, costs};
 use serde::Serialize;
 use std::path::PathBuf;
 use structures::structures;
@@ -45,6 +51,12 @@ pub struct Options {
     /// Time another build of this program too, in turn with this one, and compare their shortest steps
     #[arg(long, value_name = "BINARY", conflicts_with_all = ["scaling", "structures"])]
     against: Option<PathBuf>,
+    /// Time the scene at every level of this processor, each with one thread and with all, in turn
+    #[arg(long, conflicts_with_all = ["scaling", "structures", "against", "simd"])]
+    levels: bool,
+    /// Measure what this machine can compute and move at most, and say how near each pass comes to it
+    #[arg(long)]
+    roofline: bool,
     /// How often each of the two is run
     #[arg(long, default_value_t = 5, value_name = "N", requires = "against", value_parser = clap::value_parser!(u32).range(1..))]
     rounds: u32,
@@ -92,6 +104,14 @@ pub struct Bench {
     /// The neighbour lists of the last step, on the CPU.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lists: Option<ListView>,
+    /// With `--roofline`: what the machine can do at most.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ceilings: Option<Ceilings>,
+    /// With `--levels`: the scene at each level.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub levels: Vec<LevelTime>,
+    /// Arrays that exist, with their bytes.
+    pub arrays: Vec<ArrayView>,
     /// With `--structures`: the scene with either grid structure.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub structures: Vec<StructureTime>,
@@ -107,6 +127,42 @@ pub struct PassTime {
     pub name: &'static str,
     /// Shortest, ms.
     pub ms: f64,
+    /// With `--roofline`: how near that is to what the machine can do.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub roof: Option<Roof>,
+}
+
+/// What a pass computes and moves, beside what the machine can.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Roof {
+    /// Operations on numbers, padding of the lanes and addresses left out; of the passes whose pairs are counted.
+    pub operations: Option<u64>,
+    /// Their rate over that of the machine's sums and products.
+    pub share_of_arithmetic: Option<f64>,
+    /// Bytes of the arrays that it reads and writes, each once; unknown where pressure is iterated.
+    pub bytes: Option<u64>,
+    /// Their rate over the machine's.
+    pub share_of_memory: Option<f64>,
+}
+
+/// What a machine can do at most, measured with the threads and at the level of the benchmark.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Ceilings {
+    /// Sums and products a second in registers, in units of 1e9.
+    pub gigaoperations_per_second: f64,
+    /// Bytes that a triad of long arrays moves, in units of 1e9 a second.
+    pub gigabytes_per_second: f64,
+}
+
+/// Time at a level, with so many threads.
+#[derive(Clone, Debug, Serialize)]
+pub struct LevelTime {
+    /// Which.
+    pub simd: String,
+    /// Threads.
+    pub threads: usize,
+    /// Time of a step, the levels being taken in turn.
+    pub ms_per_step: Milliseconds,
 }
 
 /// How full the neighbour lists are.
@@ -120,6 +176,8 @@ pub struct ListView {
     pub filling: f64,
     /// Listed pairs over the shortest step.
     pub million_pairs_per_second: f64,
+    /// Pairs that were tried to find them, likewise.
+    pub million_tested_pairs_per_second: f64,
 }
 
 /// Time with a grid structure.
@@ -136,10 +194,12 @@ pub struct StructureTime {
 /// How time grows with the number of particles.
 #[derive(Clone, Debug, Serialize)]
 pub struct Scaling {
-    /// Particles and shortest step, ms.
-    pub sizes: Vec<(usize, f64)>,
-    /// Exponent of the power law between the smallest and the largest.
+    /// Particles, pairs of neighbours, and shortest step, ms.
+    pub sizes: Vec<(usize, f64, f64)>,
+    /// Exponent of the power law of time over particles, between the smallest and the largest.
     pub exponent: f64,
+    /// The same over pairs: of few particles, more are at a surface and have fewer neighbours.
+    pub exponent_of_pairs: f64,
 }
 
 /// Sizes of `--scaling`.
@@ -159,11 +219,15 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
             let changes = Changes { particles: Some(particles), ..options.common.changes.clone() };
             benches.push(bench(&load(&options.common.scene, &changes)?, options)?);
         }
-        let sizes: Vec<(usize, f64)> = benches.iter().map(|b| (b.particles, b.ms_per_step.min)).collect();
-        let [(n0, t0), .., (n1, t1)] = sizes[..] else { return Err(Failure::Call("nothing to scale".into())) };
+        let pairs = |b: &Bench| b.particles as f64 * b.average_neighbours.last;
+        let sizes: Vec<_> = benches.iter().map(|b| (b.particles, pairs(b), b.ms_per_step.min)).collect();
+        let [(n0, pairs0, t0), .., (n1, pairs1, t1)] = sizes[..] else {
+            return Err(Failure::Call("nothing to scale".into()));
+        };
         let exponent = (t1 / t0).ln() / (n1 as f64 / n0 as f64).ln();
+        let exponent_of_pairs = (t1 / t0).ln() / (pairs1 / pairs0).ln();
         let last = benches.pop().ok_or_else(|| Failure::Call("nothing to scale".into()))?;
-        Bench { scaling: Some(Scaling { sizes, exponent }), ..last }
+        Bench { scaling: Some(Scaling { sizes, exponent, exponent_of_pairs }), ..last }
     } else {
         bench(&load(&options.common.scene, &options.common.changes)?, options)?
     };
@@ -192,18 +256,27 @@ fn bench(named: &Named, options: &Options) -> Result<Bench, Failure> {
         }
         solver = solver.at_level(simd);
     }
-    if options.structures && options.backend == BackendName::Gpu {
-        return Err(Failure::Call("--structures times the CPU alone: leave --backend gpu out".into()));
+    let cpus = [(options.structures, "structures"), (options.levels, "levels"), (options.roofline, "roofline")];
+    if let Some((_, name)) = cpus.iter().find(|(asked, _)| *asked && options.backend == BackendName::Gpu) {
+        return Err(Failure::Call(format!("--{name} is for the CPU: leave --backend gpu out")));
     }
     let simd = solver.simd();
     let bar = progress(&format!("bench {}", named.name), u64::from(options.warm_up) + u64::from(options.steps));
-    let timed = match options.backend {
+    let mut timed = match options.backend {
         BackendName::Cpu => time_cpu(&mut solver, &pool, options, &bar)?,
         BackendName::Gpu => time_gpu(&solver, options, &bar)?,
     };
     bar.finish_and_clear();
     let needs = Requirements::of(scene);
     let ms_per_step = Milliseconds::of(&timed.steps);
+    let ceilings = options.roofline.then(|| ceilings(simd, &pool));
+    if let Some(ceilings) = &ceilings {
+        let costs = costs(&mut solver, &needs, timed.lists);
+        for pass in &mut timed.passes {
+            pass.roof = Some(costs.roof(pass, ceilings));
+        }
+    }
+    let rate = |pairs: u64| pairs as f64 / ms_per_step.min * 1e-3;
     let [first, last] = [&timed.first, &timed.last].map(|state| census(scene, state).map(|c| c.average_neighbours));
     Ok(Bench {
         scene: named.name.clone(),
@@ -221,8 +294,12 @@ fn bench(named: &Named, options: &Options) -> Result<Bench, Failure> {
             groups: lists.groups,
             listed: lists.listed,
             filling: lists.pairs as f64 / lists.places.max(1) as f64,
-            million_pairs_per_second: lists.pairs as f64 / ms_per_step.min * 1e-3,
+            million_pairs_per_second: rate(lists.pairs),
+            million_tested_pairs_per_second: rate(solver.tested_pairs()),
         }),
+        ceilings,
+        levels: if options.levels { levels(named, options)? } else { Vec::new() },
+        arrays: arrays(&needs),
         structures: if options.structures { structures(named, simd, &pool, options)? } else { Vec::new() },
         scaling: None,
     })

@@ -1,5 +1,5 @@
 //! The times in words.
-use super::Bench;
+use super::{Bench, PassTime};
 
 /// The times in words.
 pub(super) fn table(b: &Bench) -> String {
@@ -9,7 +9,8 @@ pub(super) fn table(b: &Bench) -> String {
         out += &format!("  {ms:8.3} ms a step where the device is given all of them at once\n");
     }
     for pass in &b.passes {
-        out += &format!("  {:8.3} ms {}\n", pass.ms, pass.name);
+        out += format!("  {:8.3} ms {:18}{}", pass.ms, pass.name, roof(pass)).trim_end();
+        out += "\n";
     }
     out += &format!(
         "  {:8.1} ns a particle and step, {:.0} bytes a particle\n",
@@ -19,11 +20,28 @@ pub(super) fn table(b: &Bench) -> String {
     out += &format!("  {:8.3} of real time\n", b.real_time_factor);
     if let Some(lists) = &b.lists {
         out += &format!(
-            "  {:8.1} million pairs a second, lanes {:.0} % full, {} of {} groups have lists\n",
+            "  {:8.1} million pairs a second of {:.0} tried, lanes {:.0} % full, {} of {} groups have lists\n",
             lists.million_pairs_per_second,
+            lists.million_tested_pairs_per_second,
             lists.filling * 100.0,
             lists.listed,
             lists.groups
+        );
+    }
+    if let Some(at_most) = b.ceilings {
+        out += &format!(
+            "  {:8.1} Gop/s of sums and products at most in registers, {:.1} GB/s of memory; more comes from caches\n",
+            at_most.gigaoperations_per_second, at_most.gigabytes_per_second
+        );
+    }
+    for of in &b.levels {
+        let ms = of.ms_per_step;
+        out += &format!(
+            "  {:8.3} ms a step at least, {:.3} median with {}, {}\n",
+            ms.min,
+            ms.median,
+            threads(of.threads),
+            of.simd
         );
     }
     for of in &b.structures {
@@ -34,12 +52,28 @@ pub(super) fn table(b: &Bench) -> String {
         );
     }
     if let Some(scaling) = &b.scaling {
-        for (particles, ms) in &scaling.sizes {
-            out += &format!("  {ms:8.3} ms a step at {particles} particles\n");
+        for (particles, pairs, ms) in &scaling.sizes {
+            let ns = ms * 1e6 / pairs;
+            out += &format!("  {ms:8.3} ms a step at {particles} particles, {ns:.2} ns a pair\n");
         }
-        out += &format!("  time grows with the number of particles to the power {:.3}\n", scaling.exponent);
+        out += &format!(
+            "  time grows with the number of particles to the power {:.3}, with that of pairs to {:.3}\n",
+            scaling.exponent, scaling.exponent_of_pairs
+        );
     }
     out
+}
+
+/// What a pass computes and moves a second, and which share of the machine's best that is.
+fn roof(pass: &PassTime) -> String {
+    let Some(roof) = pass.roof else { return String::new() };
+    let rate = |count: Option<u64>, unit: &str, share: Option<f64>| match (count, share) {
+        (Some(count), Some(share)) => {
+            format!("{:7.1} {unit} ({:2.0} %)", count as f64 / pass.ms * 1e-6, share * 100.0)
+        }
+        _ => " ".repeat(19),
+    };
+    rate(roof.operations, "Gop/s", roof.share_of_arithmetic) + &rate(roof.bytes, "GB/s", roof.share_of_memory)
 }
 
 fn threads(count: usize) -> String {

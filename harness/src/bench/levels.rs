@@ -1,0 +1,45 @@
+//! A scene at every level of this processor, timed in turn, with one thread and with all.
+use super::{LevelTime, Options};
+use crate::failure::Failure;
+use crate::fluid::start;
+use crate::pool::Pool;
+use crate::scenes::Named;
+use crate::timing::{Milliseconds, timed};
+use millpond_core::{Executor, OwnedMemory, Simd};
+
+/// Times the scene at each.
+pub(super) fn levels(named: &Named, options: &Options) -> Result<Vec<LevelTime>, Failure> {
+    let scene = &named.checked()?;
+    let mut pools = vec![Pool::new(1)?, Pool::new(options.common.threads)?];
+    pools.dedup_by_key(|pool| pool.width());
+    let all: Vec<Simd> = Simd::available().collect();
+    let mut heaps: Vec<OwnedMemory> = all.iter().map(|_| OwnedMemory::of(scene)).collect();
+    let mut solvers = Vec::new();
+    for (simd, heap) in all.iter().zip(&mut heaps) {
+        let mut solver = start(&named.name, scene, heap)?;
+        // the fastest way there, since the bits are the same
+        for _ in 0..options.warm_up {
+            solver.step(&pools[pools.len() - 1])?;
+        }
+        solvers.push(solver.at_level(*simd));
+    }
+    let mut times = vec![vec![Vec::new(); pools.len()]; solvers.len()];
+    for _ in 0..options.steps {
+        for (solver, times) in solvers.iter_mut().zip(&mut times) {
+            for (pool, times) in pools.iter().zip(times) {
+                let (result, ms) = timed(|| solver.step(pool));
+                result?;
+                times.push(ms);
+            }
+        }
+    }
+    let with = |simd: Simd, pool: &Pool, times: &Vec<f64>| LevelTime {
+        simd: format!("{simd:?}").to_lowercase(),
+        threads: pool.width(),
+        ms_per_step: Milliseconds::of(times),
+    };
+    let of_level = |(simd, times): (&Simd, &Vec<Vec<f64>>)| {
+        pools.iter().zip(times).map(|(pool, times)| with(*simd, pool, times)).collect::<Vec<_>>()
+    };
+    Ok(all.iter().zip(&times).flat_map(of_level).collect())
+}

@@ -1,0 +1,172 @@
+//! What one pair costs, counted: a number that counts what is done to it goes through the terms of the scene.
+use millpond_core::arithmetic::real::{Real, real, vec3};
+use millpond_core::layout::{Model, Parameters, TABLE_WORDS};
+use millpond_core::terms::density::{continuity_neighbour, is_stepped, number_density_neighbour, summed_neighbour};
+use millpond_core::terms::near::{ARTICLE, near_density_neighbour};
+use millpond_core::terms::neighbour::force_neighbour;
+use millpond_core::terms::pair::{Local, separation, squared_ratio};
+use std::cell::Cell;
+use std::ops::{Add, Mul, Neg, Sub};
+
+thread_local! {
+    /// Operations so far.
+    static COUNTED: Cell<u64> = const { Cell::new(0) };
+}
+
+/// A number that counts: each sum, product, quotient, root, comparison and choice is one operation.
+#[derive(Clone, Copy)]
+struct Counted(f32);
+
+/// What an operation gives.
+fn one_more(x: f32) -> Counted {
+    COUNTED.set(COUNTED.get() + 1);
+    Counted(x)
+}
+
+impl Add for Counted {
+    type Output = Self;
+    fn add(self, y: Self) -> Self {
+        one_more(self.0 + y.0)
+    }
+}
+impl Sub for Counted {
+    type Output = Self;
+    fn sub(self, y: Self) -> Self {
+        one_more(self.0 - y.0)
+    }
+}
+impl Mul for Counted {
+    type Output = Self;
+    fn mul(self, y: Self) -> Self {
+        one_more(self.0 * y.0)
+    }
+}
+impl Add<f32> for Counted {
+    type Output = Self;
+    fn add(self, y: f32) -> Self {
+        one_more(self.0 + y)
+    }
+}
+impl Sub<f32> for Counted {
+    type Output = Self;
+    fn sub(self, y: f32) -> Self {
+        one_more(self.0 - y)
+    }
+}
+impl Mul<f32> for Counted {
+    type Output = Self;
+    fn mul(self, y: f32) -> Self {
+        one_more(self.0 * y)
+    }
+}
+impl Neg for Counted {
+    type Output = Self;
+    fn neg(self) -> Self {
+        one_more(-self.0)
+    }
+}
+
+impl Real for Counted {
+    type Mask = bool;
+    const LANES: usize = 1;
+    fn splat(x: f32) -> Self {
+        Counted(x)
+    }
+    fn from_lanes(mut f: impl FnMut(usize) -> f32) -> Self {
+        Counted(f(0))
+    }
+    fn lane(self, _: usize) -> f32 {
+        self.0
+    }
+    fn any(mask: bool) -> bool {
+        mask
+    }
+    fn div(self, y: Self) -> Self {
+        one_more(self.0 / y.0)
+    }
+    fn root(self) -> Self {
+        one_more(self.0.sqrt())
+    }
+    fn abs(self) -> Self {
+        one_more(self.0.abs())
+    }
+    fn floor(self) -> Self {
+        one_more(self.0.floor())
+    }
+    fn less(self, y: Self) -> bool {
+        one_more(0.0);
+        self.0 < y.0
+    }
+    fn select(no: Self, yes: Self, mask: bool) -> Self {
+        one_more(if mask { yes.0 } else { no.0 })
+    }
+    fn larger(self, y: Self) -> Self {
+        one_more(if self.0 < y.0 { y.0 } else { self.0 })
+    }
+    fn smaller(self, y: Self) -> Self {
+        one_more(if y.0 < self.0 { y.0 } else { self.0 })
+    }
+}
+
+/// Operations of this.
+fn counted<T>(work: impl FnOnce() -> T) -> u64 {
+    let before = COUNTED.get();
+    let _ = work();
+    COUNTED.get() - before
+}
+
+/// Two particles, some way apart; how much a pair costs depends on the model alone.
+fn pair(p: &Parameters) -> [Local<Counted>; 2] {
+    [0.0, 0.4].map(|x| {
+        let one = || Counted(1.0);
+        Local {
+            position: vec3(Counted(x * p.support), Counted(0.0), Counted(0.0)),
+            velocity: vec3(Counted(x), Counted(0.0), Counted(0.0)),
+            support: one(),
+            mass: one(),
+            deviation: Counted(0.0),
+            pressure: one(),
+            near_pressure: one(),
+            volume: one(),
+            viscosity: one(),
+            wall: Counted(0.0),
+            rest: one(),
+            fluid: Counted(0.0),
+            sound: one(),
+            equation: Counted(0.0),
+            tension: one(),
+        }
+    })
+}
+
+/// Of trying a pair: is it one?
+pub(super) fn of_test(m: &Model, p: &Parameters) -> u64 {
+    let [a, b] = pair(p);
+    counted(|| squared_ratio(m, p, separation(m, p, a.position, b.position), Counted(1.0)).less(Counted(1.0)))
+}
+
+/// Of what a neighbour adds to the density of a particle. Where that follows from the distance alone, it is what was found by trying.
+pub(super) fn of_density(m: &Model, p: &Parameters) -> u64 {
+    let (tables, [a, b]) = (&[0.0; TABLE_WORDS], pair(p));
+    counted(|| {
+        let one = real::<Counted>(1.0);
+        let q2 = real(0.16);
+        let sum = if is_stepped(m) {
+            let v_ab = a.velocity - b.velocity;
+            let x_ab = separation(m, p, a.position, b.position) - v_ab * real(1.0);
+            continuity_neighbour(m, p, tables, x_ab, v_ab, one, one)
+        } else {
+            summed_neighbour(m, tables, one, q2, one)
+        };
+        let near = (m.near_pressure == ARTICLE).then(|| near_density_neighbour(m, one, q2, one));
+        let number = (m.numbers == 1).then(|| number_density_neighbour(m, tables, q2, one));
+        // and they are added up
+        [Some(sum), near, number].map(|sum| sum.map(|sum| one + sum))
+    })
+}
+
+/// Of the force that a neighbour exerts on a particle.
+pub(super) fn of_force(m: &Model, p: &Parameters) -> u64 {
+    let (tables, [a, b]) = (&[0.0; TABLE_WORDS], pair(p));
+    counted(|| vec3(Counted(0.0), Counted(0.0), Counted(0.0)) + force_neighbour(m, p, tables, a, b))
+}
