@@ -32,6 +32,8 @@ const GOLDEN: &[(&str, &str, u64, u64)] = golden! {
     "air-and-curvature": 0xcca2_713c_c35c_f080, 0xd8a7_0fe3_cca0_8702;
     "stepped-density-verlet": 0x3bb5_2de3_7c89_413b, 0x2a63_b2fd_6ee5_7d8d;
     "beeman-exchange": 0xb4dc_7133_fad1_b89e, 0x2bb6_de96_36c7_5209;
+    "half-stencil": 0xafbf_ed23_95e2_1c56, 0x28f1_bea7_62f9_44a9;
+    "half-stencil-periodic": 0x1905_bec2_6f21_786e, 0xd2cc_8412_297a_893d;
     "everything": 0x73fe_2ab5_15ec_c756, 0x0353_27cd_79cb_5a92;
 };
 

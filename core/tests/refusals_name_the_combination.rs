@@ -4,8 +4,8 @@
 use millpond_core::SceneError;
 use millpond_core::scene::{
     Adaptive, Air, DensityForm, EquationOfState, Evaluation, Face, Fluid, GridStructure, Integrator, Iteration, Kernel,
-    ModelChoice, NearPressure, PressureForce, PressureSolver, Scene, SupportRange, SurfaceTension, Viscosity, Wall,
-    WallShape,
+    ModelChoice, NearPressure, PressureForce, PressureSolver, Scene, SupportRange, SurfaceTension, Traversal,
+    Viscosity, Wall, WallShape,
 };
 
 #[path = "support/judged.rs"]
@@ -17,6 +17,12 @@ fn refused(sentence: &str, change: impl FnOnce(&mut Scene)) {
     let told = scene(change).expect_err(sentence);
     assert!(matches!(told, SceneError::NotTogether { .. }), "{told:?}");
     assert_eq!(told.to_string(), sentence);
+}
+
+/// A second fluid that makes a coat of air.
+fn air(s: &mut Scene) {
+    let _ = s.other_fluids.push(Fluid::default());
+    s.air = Some(Air { fluid: 1, capacity: 10, threshold: 0.5, minimum_density: 0.5 });
 }
 
 #[test]
@@ -91,10 +97,6 @@ fn starts_and_surroundings_by_name() {
         s.model.hydrostatic_start = true;
         s.gravity = [0.0; 3];
     });
-    let air = |s: &mut Scene| {
-        let _ = s.other_fluids.push(Fluid::default());
-        s.air = Some(Air { fluid: 1, capacity: 10, threshold: 0.5, minimum_density: 0.5 });
-    };
     assert_eq!(scene(air), Ok(()));
     refused(
         "air.fluid 0 does not go with a coat of air: the first fluid is the liquid: a scene's constants \
@@ -338,4 +340,54 @@ fn a_literal_iteration_that_cannot_converge() {
 #[test]
 fn the_modern_choice_is_one() {
     assert_eq!(scene(|s| s.model = ModelChoice::modern()), Ok(()));
+}
+
+#[test]
+fn what_the_half_stencil_cannot_do_by_name() {
+    let half = |s: &mut Scene| s.grid.traversal = Traversal::HalfStencil;
+    assert_eq!(scene(half), Ok(()));
+    assert_eq!(
+        scene(|s| {
+            half(s);
+            (s.model.surface_tension, s.fluid.surface_tension) = (SurfaceTension::Attraction, 1.0);
+            s.model.near_pressure = NearPressure::Article;
+        }),
+        Ok(())
+    );
+    let alike = "it takes what a pair adds to one particle from what it adds to the other, which here differ";
+    let once = "it computes each pair once, and this takes another look at all of a particle's neighbours";
+    let refused = |other: &str, why: &str, change: &dyn Fn(&mut Scene)| {
+        refused(&format!("grid.traversal HalfStencil does not go with {other}: {why}"), |s| {
+            half(s);
+            change(s);
+        });
+    };
+    for force in [PressureForce::Canonical, PressureForce::Difference] {
+        refused("a canonical or difference model.pressure_force", alike, &|s| s.model.pressure_force = force);
+    }
+    refused("walls of particles", alike, &|s| {
+        let shape = WallShape::Plane { face: Face::Floor, low: [0.0; 3], high: [1.0, 0.0, 1.0] };
+        s.walls = [Wall::still(shape)].into_iter().collect();
+    });
+    refused("model.variable_support", alike, &|s| {
+        s.model.variable_support = Some(SupportRange { smallest: 0.9, largest: 1.1 });
+    });
+    for density in [DensityForm::Continuity, DensityForm::ContinuityAdapted] {
+        refused("a model.density that is stepped", once, &|s| s.model.density = density);
+    }
+    refused("model.pressure_solver PressureCorrection", once, &|s| {
+        s.model.pressure_solver = PressureSolver::PressureCorrection;
+        (s.model.pressure_force, s.fluid.speed_of_sound) = (PressureForce::Monaghan, 1.0);
+    });
+    for tension in [SurfaceTension::Curvature, SurfaceTension::NormalCurvature] {
+        refused("a model.surface_tension by curvature", once, &|s| {
+            (s.model.surface_tension, s.model.density_kernel) = (tension, Kernel::WendlandC2);
+        });
+    }
+    refused("model.surface_normals", once, &|s| s.model.surface_normals = true);
+    refused("model.thermal_energy", once, &|s| s.model.thermal_energy = true);
+    refused("model.viscosity Exchange", once, &|s| s.model.viscosity = Viscosity::Exchange);
+    refused("fluid.radial_exchange", once, &|s| s.fluid.radial_exchange = 0.1);
+    refused("fluid.xsph", once, &|s| s.fluid.xsph = 0.1);
+    refused("air", once, &air);
 }

@@ -45,6 +45,14 @@ pub enum GpuError {
         /// What its driver was asked for, since it offers it.
         controls: FloatControls,
     },
+    /// A choice that only the CPU has.
+    #[error("{choice} is for the CPU alone: {why}")]
+    CpuOnly {
+        /// Which.
+        choice: &'static str,
+        /// Why.
+        why: &'static str,
+    },
     /// A shader was refused: a defect of this crate.
     #[error("shader refused: {0}")]
     Shader(String),

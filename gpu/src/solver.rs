@@ -91,6 +91,10 @@ impl GpuSolver {
         let parameters = solver.parameters();
         let plan = solver.plan();
         countable(solver.steps())?;
+        if plan.model.half_stencil == 1 {
+            let why = "on a device two particles would add to a third at once; leave it at FullStencil";
+            return Err(GpuError::CpuOnly { choice: "grid.traversal HalfStencil", why });
+        }
         let (buffers, dispatches) = gpu.caught(|| {
             let buffers = Buffers::of(gpu, solver)?;
             let dispatches = dispatches(gpu, plan, &buffers, parameters)?;

@@ -1,5 +1,6 @@
 //! Promise: a device refuses what the CPU refuses, by the same error after the same step, and leaves every bit of the state as it
 //! was, however many steps it was told of; and what is missing before it can start is told by name.
+use millpond_core::scene::Traversal;
 use millpond_core::{Plan, Serial, Solver};
 use millpond_gpu::{FloatControls, Gpu, GpuError, GpuSolver, Mode};
 
@@ -35,4 +36,15 @@ fn a_device_and_a_shader_that_are_not_there() {
     assert!(matches!(missing, Err(GpuError::NoAdapter { wanted: Some(name) }) if name == "no such adapter"));
     let refused = millpond_gpu::strict::spirv("fn f() -> u32 { return 1.0; }", FloatControls::default());
     assert!(matches!(refused, Err(GpuError::Shader(message)) if message.contains("return")));
+}
+
+#[test]
+fn the_choice_that_only_the_cpu_has() {
+    let Some(gpu) = device("refusals_keep_state", Mode::Plain) else { return };
+    let Refused { mut scene, .. } = refused::all().into_iter().next().expect("a scene");
+    scene.grid.traversal = Traversal::HalfStencil;
+    let mut heap = heap_for(&scene, checked(&scene).derived().particles());
+    let solver = Solver::new(&scene, heap.lend()).expect("a scene that starts");
+    let told = GpuSolver::new(&gpu, &solver).expect_err("no device adds to two particles at once").to_string();
+    assert!(told.starts_with("grid.traversal HalfStencil is for the CPU alone: "), "{told}");
 }

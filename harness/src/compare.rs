@@ -9,7 +9,7 @@ use crate::snapshot::Snapshot;
 use crate::span::Span;
 use crate::timing::{Milliseconds, timed};
 use millpond_core::OwnedMemory;
-use millpond_core::scene::{GridStructure, Scene};
+use millpond_core::scene::{GridStructure, Scene, Traversal};
 use millpond_core::{Requirements, Simd, Solver};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 
@@ -137,7 +137,12 @@ pub fn compare(
     let mut enter = |b: String, promised: bool, path| {
         rivals.push(Rival { path, pair: Pair::new(b, promised), times: Vec::new() });
     };
-    for gpu in &paths.devices {
+    // the one choice that no device has
+    let on_device = scene.grid.traversal == Traversal::FullStencil;
+    if !on_device && !paths.devices.is_empty() {
+        eprintln!("GPU left out: grid.traversal HalfStencil is for the CPU alone");
+    }
+    for gpu in paths.devices.iter().filter(|_| on_device) {
         let solver = GpuSolver::new(gpu, &reference)?;
         let mode = format!("{:?}", gpu.mode()).to_lowercase();
         enter(format!("gpu {mode}, {}", gpu.name()), gpu.mode() == Mode::Strict, Path::Gpu(Box::new(solver)));

@@ -1,7 +1,5 @@
 //! What choices are made against, and what several of them need to act on.
-use millpond_core::scene::{
-    Block, Container, Dimension, Face, Fluid, Grid, GridStructure, Scene, SurfaceTension, Wall, WallShape,
-};
+use millpond_core::scene::{Block, Container, Dimension, Face, Fluid, Grid, Scene, SurfaceTension, Wall, WallShape};
 
 /// A scene that has something of everything to act on: two blocks that collide over a floor, with gravity.
 pub fn base(dimension: Dimension) -> Scene {
@@ -14,7 +12,7 @@ pub fn base(dimension: Dimension) -> Scene {
     let _ = scene.blocks.push(other);
     scene.gravity = [1.0, -9.81, 0.0];
     scene.average_neighbours = if dimension == Dimension::Three { 30.0 } else { 18.0 };
-    scene.grid = Grid { cells: [8, 8, 4], structure: GridStructure::IndexSort };
+    scene.grid = Grid { cells: [8, 8, 4], ..Grid::default() };
     scene.container = Some(Container { slip: 0.5, bounce: 0.3, ..Container::closed([0.0; 3], [0.8, 0.8, 0.4]) });
     scene
 }

@@ -43,6 +43,7 @@ impl Slots {
     ///
     /// # Panics
     /// Where one is no particle's.
+    #[inline(always)]
     pub(crate) fn set(&mut self, slots: &[u32; MOST_LANES]) {
         assert!(slots.iter().all(|&slot| (slot as usize) < self.particles), "a search found nobody");
         self.offsets[self.turn] = Offsets(slots.map(|slot| slot << ROW_BITS));

@@ -3,6 +3,7 @@
 //! The cells wrap around, so far particles may share one; the distance test sorts them out. The stencil runs z, then y,
 //! then x ascending in unwrapped coordinates, and members of a cell stand in the order of their ids: this order of
 //! summation is part of the specification, and no structure, grid size or history changes it.
+pub(crate) mod half;
 pub(crate) mod lanes;
 
 use crate::executor::share_of;

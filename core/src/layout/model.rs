@@ -82,5 +82,7 @@ shared! {
         pub layers: u32,
         /// Places of a cell in the cell lists; 0 with the index sort.
         pub cell_places: u32,
+        /// 1: each pair is computed once, by the half of the stencil. Never on a device.
+        pub half_stencil: u32,
     }
 }

@@ -34,6 +34,16 @@ pub(crate) fn run_general<'a>(job: &mut impl PairJob<'a>) {
     simd.run(By::<_, 3>(job));
 }
 
+/// Does a job with the most known, or nothing: for passes that few scenes have, and these want fast.
+#[inline(always)]
+pub(crate) fn run_plain_or_general<'a>(job: &mut impl PairJob<'a>) {
+    let Setup { simd, model, .. } = job.setup();
+    match Known::of(model) {
+        Known::OneMaterial => simd.run(By::<_, 0>(job)),
+        _ => simd.run(By::<_, 3>(job)),
+    }
+}
+
 /// A job, by what is known of its model: that number of [`Known::ALL`].
 struct By<'j, J, const KNOWN: usize>(&'j mut J);
 

@@ -90,12 +90,13 @@ impl Candidates {
         self.x[self.count..self.count + SPARE].fill(FAR);
     }
 
-    /// Writes the codes of the neighbours of a particle at `x`, and their `q^2`; returns how many there are. Where it
+    /// Writes the codes of the neighbours of a particle at `x`, and their `q^2`, the first few candidates left out; returns how many there are. Where it
     /// runs out of room, it returns how much that was.
     #[inline(always)]
     pub(crate) fn near<R: Lanes>(
         &self,
         setup: &Setup<'_>,
+        first: usize,
         x: f32x4,
         support: f32,
         (codes, q2s): (&mut [u32; ROOM], &mut [f32; ROOM]),
@@ -103,10 +104,11 @@ impl Candidates {
         let (m, p) = (setup.model, setup.parameters);
         let x_a = vec3::<R>::splat(x);
         let lanes = R::LANES;
-        let places = self.x.chunks_exact(lanes).zip(self.y.chunks_exact(lanes)).zip(self.z.chunks_exact(lanes));
-        let all = places.zip(self.support.chunks_exact(lanes)).zip(self.code.chunks_exact(lanes));
+        let [xs, ys, zs] = [&self.x, &self.y, &self.z].map(|x| x[first..].chunks_exact(lanes));
+        let places = xs.zip(ys).zip(zs);
+        let all = places.zip(self.support[first..].chunks_exact(lanes)).zip(self.code[first..].chunks_exact(lanes));
         let mut used = 0;
-        for ((((x, y), z), support_b), code) in all.take(self.count.div_ceil(lanes)) {
+        for ((((x, y), z), support_b), code) in all.take((self.count - first).div_ceil(lanes)) {
             if used > ROOM - R::LANES {
                 return ROOM;
             }

@@ -130,7 +130,13 @@ impl<'a, V: Visit> PairJob<'a> for Job<'a, V> {
                     0
                 } else {
                     let support = if m.variable_support == 1 { particles.support[a] } else { 1.0 };
-                    candidates.near::<R>(setup, particles.position[a], support, (&mut near.codes[i], &mut near.q2[i]))
+                    candidates.near::<R>(
+                        setup,
+                        0,
+                        particles.position[a],
+                        support,
+                        (&mut near.codes[i], &mut near.q2[i]),
+                    )
                 };
                 if i + 1 == GROUP || a + 1 == end {
                     self.close::<R>(setup, &mut near, a, first);

@@ -8,6 +8,7 @@ pub(crate) mod columns;
 pub(crate) mod context;
 mod field;
 mod group;
+mod half_stencil;
 pub(crate) mod lanes;
 mod listing;
 pub(crate) mod lists;

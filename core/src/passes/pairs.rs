@@ -9,10 +9,14 @@ use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::grid::Cells;
 use crate::layout::f32x4;
 
-/// The lists of a step: a macro for the same reason as [`particles`](super::local::particles).
+/// The lists of a step: a macro for the same reason as [`particles`](super::local::particles). The half stencil makes none.
 macro_rules! lists {
     ($step:ident) => {
-        $crate::passes::lists::Lists::new(&$step.scratch.neighbours[..$step.list_words], $step.new.id.len())
+        if $step.setup.model.half_stencil == 1 {
+            $crate::passes::lists::Lists::NONE
+        } else {
+            $crate::passes::lists::Lists::new(&$step.scratch.neighbours[..$step.list_words], $step.new.id.len())
+        }
     };
 }
 pub(crate) use lists;

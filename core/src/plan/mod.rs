@@ -136,6 +136,7 @@ impl Plan {
                     GridStructure::IndexSort => 0,
                     GridStructure::CellLists { places } => places,
                 },
+                half_stencil: scene.grid.traversal as u32,
             },
         }
     }

@@ -323,6 +323,20 @@ impl Face {
     }
 }
 
+/// How a particle's neighbours are walked.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[repr(u32)]
+pub enum Traversal {
+    /// All cells around its own: each pair is computed twice, once for either particle, in lanes, on any backend.
+    #[default]
+    FullStencil = 0,
+    /// The half of them that lies ahead: each pair is computed once and acts on both particles alike (Gourlay, S4), in planes
+    /// of cells, the even ones first. Its sums run in an order of their own, which the number of cells decides too, and so do its
+    /// bits: they are the same at every level, on any number of threads and with either structure. On the CPU alone.
+    HalfStencil = 1,
+}
+
 /// How particles get into cells. Both give the same bits: inside a cell the order is always that of the ids.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

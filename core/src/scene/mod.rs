@@ -15,7 +15,7 @@ mod time;
 pub use air::Air;
 pub use choice::{
     DensityForm, Dimension, EquationOfState, Evaluation, FACES, Face, GridStructure, Integrator, Iteration, Kernel,
-    NearPressure, PressureForce, PressureSolver, Reflection, SurfaceTension, Viscosity, WallPressure,
+    NearPressure, PressureForce, PressureSolver, Reflection, SurfaceTension, Traversal, Viscosity, WallPressure,
 };
 pub use elasticity::{Elasticity, Plasticity};
 pub use fluid::{Block, FLUIDS, Fluid};

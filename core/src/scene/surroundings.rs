@@ -1,5 +1,5 @@
 //! What holds a fluid and drives it from outside, and the cells that cover it.
-use super::choice::{FACES, Face, GridStructure, Reflection};
+use super::choice::{FACES, Face, GridStructure, Reflection, Traversal};
 use heapless::Vec;
 
 /// Walls of particles that a scene can have.
@@ -137,10 +137,12 @@ pub struct Grid {
     pub cells: [u32; 3],
     /// How particles get into cells.
     pub structure: GridStructure,
+    /// How neighbours are walked (default the full stencil).
+    pub traversal: Traversal,
 }
 
 impl Default for Grid {
     fn default() -> Self {
-        Grid { cells: [32, 32, 32], structure: GridStructure::IndexSort }
+        Grid { cells: [32, 32, 32], structure: GridStructure::IndexSort, traversal: Traversal::FullStencil }
     }
 }

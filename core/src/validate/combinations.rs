@@ -1,6 +1,7 @@
 //! Choices that do not go together, refused by name before anything is touched.
 use super::bounds::{field, not_together, positive};
 use super::time::integrator;
+use super::traversal;
 use crate::derive::scales::Scales;
 use crate::error::SceneError;
 use crate::scene::{
@@ -27,6 +28,7 @@ pub(super) fn check(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
     air(scene, scales)?;
     integrator(scene)?;
     live(scene)?;
+    traversal::check(scene)?;
     let model = &scene.model;
     let one_sided = matches!(model.pressure_force, PressureForce::Canonical | PressureForce::Difference);
     if model.thermal_energy && one_sided {

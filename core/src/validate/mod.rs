@@ -9,6 +9,7 @@ mod ranges;
 mod scale;
 mod shapes;
 mod time;
+mod traversal;
 
 pub(crate) use bounds::check_count;
 pub use checked::Checked;

@@ -6,9 +6,10 @@ use crate::layout::f32x4;
 use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
 use crate::passes::group::{Group, fold, masked};
+use crate::passes::half_stencil;
 use crate::passes::listing::{self, Near, Visit};
-use crate::passes::lists::GROUP;
-use crate::passes::local::{Particles, of_material, particles, spread};
+use crate::passes::lists::{GROUP, Lists};
+use crate::passes::local::{Particles, of_material, own_numbers, particles, spread};
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::correction::pressure_carried;
 use crate::terms::density::{
@@ -26,7 +27,10 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, cells) = (particles!(step but density), cells!(step));
     let pass = Density { previous: step.scratch.previous_density_pressure };
     let out = &mut *step.new.density_pressure;
-    if setup.model.sums_distances() {
+    if setup.model.half_stencil == 1 {
+        half_stencil::density::sum_once(setup, executor, particles, cells, out);
+        pairs::run(setup, executor, particles, cells, Lists::NONE, &Summed(pass), out);
+    } else if setup.model.sums_distances() {
         let lists = &mut step.scratch.neighbours[..step.list_words];
         listing::run(setup, executor, particles, cells, lists, &pass, out);
     } else {
@@ -136,6 +140,21 @@ impl Visit for Density<'_> {
 
     fn absent(&self, setup: &Setup<'_>, own: &mut [f32x4]) {
         PairPass::absent(self, setup, own);
+    }
+}
+
+/// The same where the sums are made: they stand where density and pressure are to be.
+struct Summed<'a>(Density<'a>);
+
+impl PairPass for Summed<'_> {
+    fn work(job: &mut Job<'_, Self>) {
+        by_model::run_general(job);
+    }
+
+    #[inline(always)]
+    fn group<R: Lanes>(&self, group: &Group<'_>, own: &mut [f32x4]) -> u32 {
+        self.0.close(group, own_numbers::<R>(own), own);
+        0
     }
 }
 

@@ -1,19 +1,21 @@
 //! Acceleration of each particle: pressure, viscosity and what acts from outside; without pressure where that is iterated
 //! later.
 use crate::arithmetic::lanes::{Lanes, xyz};
-use crate::arithmetic::real::{real, vec3};
+use crate::arithmetic::real::{div, real, vec3};
 use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::by_model;
 use crate::passes::context::Step;
 use crate::passes::field;
 use crate::passes::group::{Group, fold};
-use crate::passes::local::particles;
+use crate::passes::half_stencil;
+use crate::passes::lists::Lists;
+use crate::passes::local::{own_numbers, particles};
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::exchange::{exchange_close, exchange_neighbour, exchange_share};
 use crate::terms::external::external_close;
 use crate::terms::neighbour::{acceleration_close, force_neighbour};
-use crate::terms::pair::density_ratio;
+use crate::terms::pair::{Local, density_ratio};
 use crate::terms::wall::if_free;
 
 /// Fills the accelerations, or those without pressure.
@@ -21,7 +23,12 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
     let corrects = step.setup.model.corrects_pressure();
     let out = if corrects { &mut *step.scratch.non_pressure_acceleration } else { &mut *step.new.acceleration };
-    pairs::run(step.setup, step.executor, particles, cells, lists, &Force, out);
+    if step.setup.model.half_stencil == 1 {
+        half_stencil::force::sum_once(step.setup, step.executor, particles, cells, out);
+        pairs::run(step.setup, step.executor, particles, cells, Lists::NONE, &Summed, out);
+    } else {
+        pairs::run(step.setup, step.executor, particles, cells, lists, &Force, out);
+    }
 }
 
 /// What acts on each particle.
@@ -35,7 +42,7 @@ impl PairPass for Force {
     #[inline(always)]
     fn group<R: Lanes>(&self, group: &Group<'_>, own: &mut [f32x4]) -> u32 {
         let setup = group.setup;
-        let (m, p, u, t) = (setup.model, setup.parameters, setup.uniform, setup.tables);
+        let (m, p, t) = (setup.model, setup.parameters, setup.tables);
         if group.are_walls() {
             own.fill([0.0; 4]);
             return 0;
@@ -46,21 +53,46 @@ impl PairPass for Force {
             let vec3 { x, y, z } = force_neighbour(m, p, t, a, group.neighbours(slots));
             [x, y, z, none]
         });
-        let mut driven = acceleration_close(m, p, xyz(force), a);
-        if m.exchange == 1 {
-            let [x, y, z, shares] = fold!(group: R, adds nothing to itself, |slots| {
-                let b = group.neighbours(slots);
-                let vec3 { x, y, z } = exchange_neighbour(m, p, a, b);
-                [x, y, z, exchange_share(m, p, a, b)]
-            });
-            driven = driven + vec3(x, y, z) * exchange_close(u, shares);
-        }
-        if m.field == 1 {
-            driven = driven + field::at(setup, a.position);
-        }
-        let acceleration = external_close(m, p, u, driven, a.velocity, density_ratio(m, a.deviation, a.rest));
-        let vec3 { x, y, z } = if_free(m, acceleration, a.wall);
-        R::rows([x, y, z, none], own);
+        close(group, a, xyz(force), own);
+        0
+    }
+}
+
+/// Acceleration by the summed force density, by what velocities exchange, and by what acts from outside.
+#[inline(always)]
+fn close<R: Lanes>(group: &Group<'_>, a: Local<R>, force: vec3<R>, own: &mut [f32x4]) {
+    let setup = group.setup;
+    let (m, p, u) = (setup.model, setup.parameters, setup.uniform);
+    let mut driven = acceleration_close(m, p, force, a);
+    if m.exchange == 1 {
+        let [x, y, z, shares] = fold!(group: R, adds nothing to itself, |slots| {
+            let b = group.neighbours(slots);
+            let vec3 { x, y, z } = exchange_neighbour(m, p, a, b);
+            [x, y, z, exchange_share(m, p, a, b)]
+        });
+        driven = driven + vec3(x, y, z) * exchange_close(u, shares);
+    }
+    if m.field == 1 {
+        driven = driven + field::at(setup, a.position);
+    }
+    let acceleration = external_close(m, p, u, driven, a.velocity, density_ratio(m, a.deviation, a.rest));
+    let vec3 { x, y, z } = if_free(m, acceleration, a.wall);
+    R::rows([x, y, z, real(0.0)], own);
+}
+
+/// The same where forces are summed: they stand where accelerations are to be.
+struct Summed;
+
+impl PairPass for Summed {
+    fn work(job: &mut Job<'_, Self>) {
+        by_model::run_general(job);
+    }
+
+    #[inline(always)]
+    fn group<R: Lanes>(&self, group: &Group<'_>, own: &mut [f32x4]) -> u32 {
+        let a = group.receivers::<R>();
+        let one = real::<R>(1.0);
+        close(group, a, xyz(own_numbers::<R>(own)) * div(one, a.volume), own);
         0
     }
 }

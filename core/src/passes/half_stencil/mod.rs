@@ -1,0 +1,241 @@
+//! Each pair once (Gourlay): what a pair adds to one of its particles is known once it is known what it adds to the other.
+//!
+//! A plane of cells looks ahead to the next one, and so writes to two. Planes whose writes do not meet are worked on side by side:
+//! first the even ones, then the odd ones, at last the last one, which looks ahead to the first. What is added to a particle
+//! comes in an order that this and the grid decide, and no number of threads.
+pub(crate) mod density;
+pub(crate) mod force;
+
+use super::by_model::PairJob;
+use super::candidates::Candidates;
+use super::context::Setup;
+use super::lists::{MOST_LISTED, ROOM};
+use super::local::Particles;
+use crate::arithmetic::codes::MOST_LANES;
+use crate::arithmetic::lanes::{Lanes, Slots};
+use crate::arithmetic::real::vec3;
+use crate::executor::{Executor, Jobs, parts, shares};
+use crate::grid::half::{Planes, ahead};
+use crate::grid::{Cells, cell_of};
+use crate::layout::f32x4;
+use crate::terms::pair::{Local, separation, squared_ratio};
+use core::array;
+use core::ops::Range;
+
+/// A sum over pairs that act on both of their particles.
+pub(crate) trait PairSum: Sync + Sized {
+    /// Does a job: see [`PairPass::work`](super::pairs::PairPass::work).
+    fn work(job: &mut Job<'_, Self>);
+
+    /// What pairs of one particle add to its sums, and to those of the others, `q2` being their squared distances over the
+    /// squared support.
+    fn of_pairs<R: Lanes>(&self, setup: &Setup<'_>, a: Local<R>, others: Others<'_>, q2: R) -> [[R; 4]; 2];
+}
+
+/// The other particles of some pairs.
+#[derive(Clone, Copy)]
+pub(crate) struct Others<'a> {
+    particles: &'a Particles<'a>,
+    slots: &'a Slots,
+}
+
+impl Others<'_> {
+    /// What the pair terms know of them.
+    #[inline(always)]
+    pub(crate) fn known<R: Lanes>(self, setup: &Setup<'_>) -> Local<R> {
+        self.particles.neighbours(setup, self.slots)
+    }
+}
+
+/// Planes that are worked on one after the other, in steps of two; the sums of all particles that they write to.
+pub(crate) struct Job<'a, S> {
+    setup: Setup<'a>,
+    particles: Particles<'a>,
+    cells: Cells<'a>,
+    sum: &'a S,
+    planes: Planes,
+    /// The first, and how many.
+    first: usize,
+    count: usize,
+    /// The sums of its particles, and after them those of particles that lie elsewhere: of the first plane, which the last looks at.
+    own: (usize, &'a mut [f32x4]),
+    others: (usize, &'a mut [f32x4]),
+}
+
+/// Adds to the sums what all pairs add; a particle with itself is none.
+pub(crate) fn run<S: PairSum>(
+    setup: Setup<'_>,
+    executor: &impl Executor,
+    particles: Particles<'_>,
+    cells: Cells<'_>,
+    sum: &S,
+    sums: &mut [f32x4],
+) {
+    let planes = Planes::of(setup.parameters, setup.model.layers);
+    for parity in 0..2 {
+        // planes of this parity that are not the last
+        let pairs = (planes.count - parity) / 2;
+        let mut jobs = Jobs::new();
+        let (mut rest, mut passed) = (&mut *sums, 0);
+        for share in shares(pairs, parts(executor).min(pairs.max(1))) {
+            let first = parity + 2 * share.start;
+            let slots = planes.slots(cells, first..first + 2 * share.len());
+            let _ = rest.split_off_mut(..slots.start - passed);
+            let Some(own) = rest.split_off_mut(..slots.len()) else { continue };
+            passed = slots.end;
+            let own = (slots.start, own);
+            let others: (usize, &mut [f32x4]) = (usize::MAX, &mut []);
+            let _ = jobs.push(Job { setup, particles, cells, sum, planes, first, count: share.len(), own, others });
+        }
+        executor.run(&mut jobs, S::work);
+    }
+    let last = planes.count - 1;
+    let (ahead, own) = (planes.slots(cells, 0..1), planes.slots(cells, last..planes.count));
+    let (before, behind) = sums.split_at_mut(own.start);
+    let others = (ahead.start, &mut before[ahead]);
+    S::work(&mut Job {
+        setup,
+        particles,
+        cells,
+        sum,
+        planes,
+        first: last,
+        count: 1,
+        own: (own.start, &mut behind[..own.len()]),
+        others,
+    });
+}
+
+impl<S: PairSum> Job<'_, S> {
+    /// The sum of the particle in a slot.
+    #[inline(always)]
+    fn of(&mut self, slot: usize) -> &mut f32x4 {
+        let (first, own) = &mut self.own;
+        if slot.wrapping_sub(*first) < own.len() {
+            return &mut own[slot - *first];
+        }
+        let (first, others) = &mut self.others;
+        &mut others[slot - *first]
+    }
+}
+
+impl<'a, S: PairSum> PairJob<'a> for Job<'a, S> {
+    fn setup(&self) -> Setup<'a> {
+        self.setup
+    }
+
+    #[inline(always)]
+    fn run_by<R: Lanes>(&mut self, setup: &Setup<'_>) {
+        let (cells, planes) = (self.cells, self.planes);
+        let mut near = Near { candidates: Candidates::none(), codes: [0; ROOM], q2: [0.0; ROOM] };
+        for plane in (self.first..).step_by(2).take(self.count) {
+            let slots = planes.slots(cells, plane..plane + 1);
+            let mut slot = slots.start;
+            while slot < slots.end {
+                // who lies there knows the cell: no need to pass by the empty ones
+                let Ok(cell) = cell_of(setup.parameters, self.particles.position[slot]) else { break };
+                let members = cells.members(cell as usize);
+                self.gather::<R>(setup, cell as usize, &mut near.candidates);
+                for a in members.clone() {
+                    self.with_those_ahead::<R>(setup, a, cell as usize, members.clone(), &mut near);
+                }
+                slot = members.end.max(slot + 1);
+            }
+        }
+    }
+}
+
+/// Who may be a neighbour of a cell's particles, and who is.
+struct Near {
+    candidates: Candidates,
+    codes: [u32; ROOM],
+    q2: [f32; ROOM],
+}
+
+impl<S: PairSum> Job<'_, S> {
+    /// Gathers the members of a cell and of those ahead; not all of them, where they are too many.
+    #[inline(always)]
+    fn gather<R: Lanes>(&self, setup: &Setup<'_>, cell: usize, candidates: &mut Candidates) {
+        candidates.clear();
+        for run in runs(setup, self.cells, cell, self.cells.members(cell)) {
+            if !candidates.add::<R>(self.particles.position, &[], run, 0) {
+                return;
+            }
+        }
+        candidates.close();
+    }
+
+    /// Adds up the pairs of a particle with those of its own cell that come after it, and with those of the cells ahead.
+    #[inline(always)]
+    fn with_those_ahead<R: Lanes>(
+        &mut self,
+        setup: &Setup<'_>,
+        a: usize,
+        cell: usize,
+        members: Range<usize>,
+        near: &mut Near,
+    ) {
+        let (m, p, particles) = (setup.model, setup.parameters, self.particles);
+        let own = particles.receivers::<R>(setup, a, a);
+        let mut sum = *self.of(a);
+        let mut count = ROOM;
+        if near.candidates.are_complete() {
+            let buffers = (&mut near.codes, &mut near.q2);
+            count = near.candidates.near::<R>(setup, a + 1 - members.start, particles.position[a], 1.0, buffers);
+        }
+        if count <= MOST_LISTED {
+            for first in (0..count).step_by(R::LANES) {
+                let pairs = (count - first).min(R::LANES);
+                // there is room for all lanes behind the last one
+                let others = array::from_fn(|lane| near.codes[first + lane]);
+                let q2 = array::from_fn(|lane| near.q2[first + lane]);
+                self.add::<R>(setup, own, &mut sum, pairs, &others, &q2);
+            }
+        } else {
+            let x_a = vec3::<f32>::splat(particles.position[a]);
+            for b in runs(setup, self.cells, cell, a + 1..members.end).flatten() {
+                let x_ab = separation(m, p, x_a, vec3::splat(particles.position[b]));
+                let q2 = squared_ratio(m, p, x_ab, 1.0);
+                if q2 < 1.0 {
+                    self.add::<R>(setup, own, &mut sum, 1, &[b as u32; MOST_LANES], &[q2; MOST_LANES]);
+                }
+            }
+        }
+        *self.of(a) = sum;
+    }
+
+    /// Adds what pairs with the first few of these others add to the sum of a particle, and to those of the others.
+    #[inline(always)]
+    fn add<R: Lanes>(
+        &mut self,
+        setup: &Setup<'_>,
+        own: Local<R>,
+        sum: &mut f32x4,
+        pairs: usize,
+        others: &[u32; MOST_LANES],
+        q2: &[f32; MOST_LANES],
+    ) {
+        let particles = self.particles;
+        let mut slots = Slots::first(particles.position.len());
+        slots.set(others);
+        let added = self.sum.of_pairs(setup, own, Others { particles: &particles, slots: &slots }, R::read(q2));
+        let mut rows = [[[0.0; 4]; MOST_LANES]; 2];
+        for (rows, added) in rows.iter_mut().zip(added) {
+            R::store(added, &mut rows[..R::LANES]);
+        }
+        let [to_a, to_b] = &rows;
+        for ((&b, to_a), to_b) in others.iter().zip(to_a).zip(to_b).take(pairs) {
+            let sum_b = self.of(b as usize);
+            for i in 0..4 {
+                sum[i] += to_a[i];
+                sum_b[i] += to_b[i];
+            }
+        }
+    }
+}
+
+/// Runs of slots: these of a cell itself, and those of the cells ahead.
+#[inline(always)]
+fn runs(setup: &Setup<'_>, cells: Cells<'_>, cell: usize, own: Range<usize>) -> impl Iterator<Item = Range<usize>> {
+    core::iter::once(own).chain(ahead(setup.parameters, setup.model.layers, cells, cell))
+}

@@ -1,0 +1,41 @@
+//! What the half stencil can do: sums in which what a pair adds to one of its particles follows from what it adds to the other.
+use super::bounds::not_together;
+use crate::error::SceneError;
+use crate::scene::{DensityForm, PressureForce, Scene, SurfaceTension, Traversal, Viscosity};
+
+pub(super) fn check(scene: &Scene) -> Result<(), SceneError> {
+    if scene.grid.traversal == Traversal::FullStencil {
+        return Ok(());
+    }
+    let model = &scene.model;
+    let alike = "it takes what a pair adds to one particle from what it adds to the other, which here differ";
+    let once = "it computes each pair once, and this takes another look at all of a particle's neighbours";
+    let refused = [
+        (
+            matches!(model.pressure_force, PressureForce::Canonical | PressureForce::Difference),
+            "a canonical or difference model.pressure_force",
+            alike,
+        ),
+        (!scene.walls.is_empty(), "walls of particles", alike),
+        (model.variable_support.is_some(), "model.variable_support", alike),
+        (
+            matches!(model.density, DensityForm::Continuity | DensityForm::ContinuityAdapted),
+            "a model.density that is stepped",
+            once,
+        ),
+        (scene.corrects_pressure(), "model.pressure_solver PressureCorrection", once),
+        (
+            matches!(model.surface_tension, SurfaceTension::Curvature | SurfaceTension::NormalCurvature),
+            "a model.surface_tension by curvature",
+            once,
+        ),
+        (model.surface_normals, "model.surface_normals", once),
+        (model.thermal_energy, "model.thermal_energy", once),
+        (model.viscosity == Viscosity::Exchange, "model.viscosity Exchange", once),
+        (scene.fluids().any(|fluid| fluid.radial_exchange != 0.0), "fluid.radial_exchange", once),
+        (scene.fluids().any(|fluid| fluid.xsph != 0.0), "fluid.xsph", once),
+        (scene.air.is_some(), "air", once),
+    ];
+    let first = refused.into_iter().find(|(is_asked, ..)| *is_asked);
+    first.map_or(Ok(()), |(_, other, why)| Err(not_together("grid.traversal HalfStencil", other, why)))
+}
