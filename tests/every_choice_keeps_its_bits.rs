@@ -1,5 +1,6 @@
 //! Promise: every choice that a scene can make gives the same bits on the scalar path, in lanes, on two threads, after it was saved
-//! and gone on with, and on a device in strict mode (without one, that its WGSL is valid); and no choice is left out.
+//! and gone on with, and on a device in strict mode (without one, that its WGSL is valid); and no choice is left out
+//! but the half stencil, which no device has: `core/tests/each_pair_once.rs` holds it.
 //!
 //! The list is made from the choices themselves, in `choices/`, one of them at a time against the defaults.
 use millpond::compare::difference;

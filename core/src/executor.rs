@@ -39,7 +39,8 @@ pub trait Executor {
     /// KB of stack: the candidates of a cell, and the neighbours of four particles.
     fn run<J: Send>(&self, jobs: &mut [J], work: impl Fn(&mut J) + Sync);
 
-    /// Does `step`, which is a whole time step and calls [`Executor::run`] for each of its passes. The default does it
+    /// Does `step`, which is a whole time step: it calls [`Executor::run`] for each pass that is cut into jobs, and does the
+    /// rest itself, on as much stack as a job takes. The default does it
     /// on the calling thread. Where handing jobs to a pool from outside costs more than from one of its own threads, do
     /// it on one of those: a step then enters the pool once, and not in every pass.
     fn enter<T: Send>(&self, step: impl FnOnce(&Self) -> T + Send) -> T {

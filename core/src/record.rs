@@ -94,7 +94,8 @@ impl Record {
 }
 
 /// What tells one scene's bytes from another's: its model, its constants at creation, how many there are of everything, and how often
-/// pressure is iterated. Where particles are looked up changes no bit, and is left out.
+/// pressure is iterated. Where particles are looked up is left out: it changes no bit, but with the half stencil, whose order
+/// follows from the number of cells.
 #[must_use]
 pub(crate) fn fingerprint(
     plan: &Plan,
@@ -104,7 +105,8 @@ pub(crate) fn fingerprint(
 ) -> u64 {
     let Counts { particles, spring_ends, air, field_nodes, cells: _ } = requirements.counts;
     let counts = [particles, spring_ends, air, field_nodes, plan.iterations() as usize];
-    let (model, parameters) = (Model { cell_places: 0, ..plan.model }, Parameters { cells: [0; 4], ..*parameters });
+    let cells = if plan.model.half_stencil == 1 { parameters.cells } else { [0; 4] };
+    let (model, parameters) = (Model { cell_places: 0, ..plan.model }, Parameters { cells, ..*parameters });
     let structs = [bytemuck::bytes_of(&model), bytemuck::bytes_of(&parameters), bytemuck::bytes_of(materials)];
     let words = structs.into_iter().flat_map(|bytes| bytemuck::cast_slice::<u8, u32>(bytes).iter().copied());
     words.chain(counts.into_iter().map(|count| count as u32)).fold(Fnv::default(), Fnv::word).0

@@ -134,7 +134,7 @@ impl Solver<'_> {
     }
 
     /// Calls `visit` with the ids of every pair inside each other's support, each pair in both directions and every
-    /// particle with itself, in the order in which the next step would sum them where it did not move anything.
+    /// particle with itself, in the order in which the next step would sum them with the full stencil, where it did not move anything.
     pub fn each_pair(&mut self, mut visit: impl FnMut(u32, u32)) {
         self.visit_pairs(|solver, a, b| visit(solver.state().id[a], solver.state().id[b]));
     }
@@ -178,7 +178,7 @@ impl Solver<'_> {
         pairs as f64 / fluid.max(1) as f64
     }
 
-    /// Pairs whose distance a step looks at to find those that are near: each particle with all in the cells around its own.
+    /// Pairs whose distance a step of the full stencil looks at: each particle with all in its own cell and the cells around it.
     #[must_use]
     pub fn tested_pairs(&mut self) -> u64 {
         let (p, m) = (*self.parameters(), self.plan().model);

@@ -369,11 +369,16 @@ fn what_the_half_stencil_cannot_do_by_name() {
         let shape = WallShape::Plane { face: Face::Floor, low: [0.0; 3], high: [1.0, 0.0, 1.0] };
         s.walls = [Wall::still(shape)].into_iter().collect();
     });
-    refused("model.variable_support", alike, &|s| {
+    refused("model.hydrostatic_start and a model.surface_tension between pairs", alike, &|s| {
+        s.model.hydrostatic_start = true;
+        (s.model.surface_tension, s.fluid.surface_tension) = (SurfaceTension::GradientSum, 1.0);
+    });
+    refused("model.variable_support", "it searches by one support for all", &|s| {
         s.model.variable_support = Some(SupportRange { smallest: 0.9, largest: 1.1 });
     });
     for density in [DensityForm::Continuity, DensityForm::ContinuityAdapted] {
-        refused("a model.density that is stepped", once, &|s| s.model.density = density);
+        let why = "it sums what follows from distances, and this needs velocities";
+        refused("a model.density that is stepped", why, &|s| s.model.density = density);
     }
     refused("model.pressure_solver PressureCorrection", once, &|s| {
         s.model.pressure_solver = PressureSolver::PressureCorrection;

@@ -86,7 +86,7 @@ impl GpuSolver {
     /// The fluid of a CPU solver, from its current state on, by the same plan.
     ///
     /// # Errors
-    /// A scene too large for the device, or a shader refused.
+    /// A scene too large for the device, a shader refused, or a choice that only the CPU has.
     pub fn new(gpu: &Gpu, solver: &Solver<'_>) -> Result<GpuSolver, GpuError> {
         let parameters = solver.parameters();
         let plan = solver.plan();

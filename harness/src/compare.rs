@@ -140,7 +140,14 @@ pub fn compare(
     // the one choice that no device has
     let on_device = scene.grid.traversal == Traversal::FullStencil;
     if !on_device && !paths.devices.is_empty() {
-        eprintln!("GPU left out: grid.traversal HalfStencil is for the CPU alone");
+        if !paths.cpu {
+            let why =
+                "grid.traversal HalfStencil is for the CPU alone: leave --backend gpu out, or set it to FullStencil";
+            return Err(Failure::Call(why.into()));
+        }
+        eprintln!(
+            "the GPU is left out: grid.traversal HalfStencil is for the CPU alone; set it to FullStencil to compare the GPU too"
+        );
     }
     for gpu in paths.devices.iter().filter(|_| on_device) {
         let solver = GpuSolver::new(gpu, &reference)?;

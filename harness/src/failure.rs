@@ -52,6 +52,8 @@ impl Failure {
     pub fn exit_status(&self) -> u8 {
         match self {
             Failure::Step(_) | Failure::Gpu(GpuError::Step(_)) => 1,
+            // a scene that no device could run
+            Failure::Gpu(GpuError::CpuOnly { .. }) => 2,
             Failure::Gpu(_) => 3,
             _ => 2,
         }

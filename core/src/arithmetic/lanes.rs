@@ -324,4 +324,41 @@ mod tests {
             }
         }
     }
+
+    /// The larger and the smaller of every two of some numbers, a pair in each lane in turn.
+    struct Extremes<'a>(&'a mut std::vec::Vec<[u32; 4]>);
+
+    impl Work for Extremes<'_> {
+        #[inline(always)]
+        fn run<R: Lanes>(self) {
+            let subnormal = f32::from_bits(1);
+            let numbers =
+                [0.0, -0.0, 1.0, -1.0, subnormal, -subnormal, f32::MAX, f32::INFINITY, f32::NEG_INFINITY, f32::NAN];
+            for x in numbers {
+                for y in numbers {
+                    let (a, b) = (R::splat(x), R::splat(y));
+                    let lane = R::LANES - 1;
+                    let found = [a.larger(b), a.smaller(b)].map(|extreme| extreme.lane(lane).to_bits());
+                    self.0.push([x.to_bits(), y.to_bits(), found[0], found[1]]);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_larger_and_the_smaller_are_the_same_at_every_level() {
+        let of = |simd: Simd| {
+            let mut found = std::vec::Vec::new();
+            simd.run(Extremes(&mut found));
+            found
+        };
+        let want = of(Simd::Scalar);
+        for [x, y, larger, smaller] in &want {
+            let (a, b) = (f32::from_bits(*x), f32::from_bits(*y));
+            assert_eq!([*larger, *smaller], [if a < b { y } else { x }, if b < a { y } else { x }].map(|bits| *bits));
+        }
+        for simd in Simd::available() {
+            assert_eq!(of(simd), want, "{simd:?}");
+        }
+    }
 }

@@ -8,7 +8,8 @@ use core::hint::black_box;
 const CHAINS: usize = 12;
 
 /// Multiplies and adds `rounds` times over in all lanes of a level, without any memory, and returns how many operations
-/// that was. A processor without the level uses its best.
+/// that was. A processor without the level uses its best. A compiler may work on several sums of the scalar level at once, as it may in
+/// a pass.
 #[must_use]
 pub fn multiply_and_add(simd: Simd, rounds: u32) -> u64 {
     let mut operations = 0;

@@ -6,7 +6,7 @@ use core::ops::Range;
 /// Cells ahead of one in space: its neighbour along x, three of the next row, nine of the next plane.
 const AHEAD: usize = 13;
 
-/// Planes of cells, which pairs reach one of ahead: across z, or in 2D rows across y.
+/// Planes of cells. Pairs reach from one to the next: along z, in 2D rows along y.
 #[derive(Clone, Copy)]
 pub(crate) struct Planes {
     /// How many there are.
@@ -22,10 +22,9 @@ impl Planes {
         if layers == 0 { Planes { count: y, cells: x } } else { Planes { count: z, cells: x * y } }
     }
 
-    /// Slots of the particles in these planes.
+    /// Slots of the particles in these planes, one at least.
     pub(crate) fn slots(&self, cells: Cells<'_>, planes: Range<usize>) -> Range<usize> {
-        let last = (planes.end * self.cells).saturating_sub(1);
-        cells.members(planes.start * self.cells).start..cells.members(last).end
+        cells.members(planes.start * self.cells).start..cells.members(planes.end * self.cells - 1).end
     }
 }
 

@@ -27,3 +27,44 @@ pub(crate) fn cells_of<'r, R: Lanes>(p: &Parameters, row: impl Fn(usize) -> &'r 
     }
     all.then_some(cells)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arithmetic::level::{Simd, Work};
+    use crate::grid::cell_of;
+
+    /// Asserts for a row in the last lane that the cells are those of [`cell_of`], where they are told.
+    struct Last<'a>(&'a Parameters, f32x4, &'a mut u32);
+
+    impl Work for Last<'_> {
+        #[inline(always)]
+        fn run<R: Lanes>(self) {
+            let near = [0.5, 0.5, 0.5, 1.0];
+            let cells = cells_of::<R>(self.0, |lane| if lane + 1 == R::LANES { &self.1 } else { &near });
+            if let Some(cells) = cells {
+                assert_eq!(Ok(cells[R::LANES - 1]), cell_of(self.0, self.1), "{:?}", self.1);
+                *self.2 += 1;
+            }
+        }
+    }
+
+    #[test]
+    fn cells_side_by_side_are_those_of_each() {
+        let mut parameters: Parameters = bytemuck::Zeroable::zeroed();
+        (parameters.cells, parameters.inverse_cell) = ([5, 7, 9, 315], [1.0, 1.0, 1.0, 0.0]);
+        let edge = FARTHEST_CELL;
+        let numbers =
+            [0.0, -0.0, 0.99, 1.0, 4.999, 5.0, -0.001, -4.5, -5.0, 9.5, 14.0, 1e6, edge, -edge, 1e30, f32::NAN];
+        for simd in Simd::available() {
+            let mut told = 0;
+            for x in numbers {
+                for [y, z] in [[0.5, 0.5], [x, 8.5], [-3.0, x]] {
+                    simd.run(Last(&parameters, [x, y, z, 1.0], &mut told));
+                }
+            }
+            // most are within a period of the grid
+            assert!((20..48).contains(&told), "{simd:?}: {told}");
+        }
+    }
+}

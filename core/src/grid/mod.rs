@@ -2,7 +2,8 @@
 //!
 //! The cells wrap around, so far particles may share one; the distance test sorts them out. The stencil runs z, then y,
 //! then x ascending in unwrapped coordinates, and members of a cell stand in the order of their ids: this order of
-//! summation is part of the specification, and no structure, grid size or history changes it.
+//! summation is part of the specification, and no structure, grid size or history changes it. The half stencil has an order of its
+//! own (`half.rs`), which the number of cells decides too.
 pub(crate) mod half;
 pub(crate) mod lanes;
 
@@ -25,7 +26,7 @@ pub fn cell_coordinate(p: &Parameters, axis: usize, x: f32) -> Option<i32> {
 #[inline(always)]
 fn floor_of(scaled: f32) -> i32 {
     let towards_zero = scaled as i32;
-    // what lies too far off may be any number: it is told by its range
+    // wraps for numbers beyond the range, which callers refuse
     towards_zero.wrapping_sub(i32::from(towards_zero as f32 > scaled))
 }
 

@@ -20,10 +20,10 @@ pub(crate) trait PairJob<'a> {
 pub(crate) fn run<'a>(job: &mut impl PairJob<'a>) {
     let Setup { simd, model, .. } = job.setup();
     match Known::of(model) {
-        Known::OneMaterial => simd.run(By::<_, 0>(job)),
-        Known::NoPeriods => simd.run(By::<_, 1>(job)),
-        Known::Periods => simd.run(By::<_, 2>(job)),
-        Known::Nothing => simd.run(By::<_, 3>(job)),
+        Known::OneMaterial => simd.run(By::<_, { Known::OneMaterial as usize }>(job)),
+        Known::NoPeriods => simd.run(By::<_, { Known::NoPeriods as usize }>(job)),
+        Known::Periods => simd.run(By::<_, { Known::Periods as usize }>(job)),
+        Known::Nothing => simd.run(By::<_, { Known::Nothing as usize }>(job)),
     }
 }
 
@@ -31,16 +31,16 @@ pub(crate) fn run<'a>(job: &mut impl PairJob<'a>) {
 #[inline(always)]
 pub(crate) fn run_general<'a>(job: &mut impl PairJob<'a>) {
     let simd = job.setup().simd;
-    simd.run(By::<_, 3>(job));
+    simd.run(By::<_, { Known::Nothing as usize }>(job));
 }
 
-/// Does a job with the most known, or nothing: for passes that few scenes have, and these want fast.
+/// Does a job by one material, or with nothing known: for passes that few scenes have, and that must be fast in the plainest of these.
 #[inline(always)]
-pub(crate) fn run_plain_or_general<'a>(job: &mut impl PairJob<'a>) {
+pub(crate) fn run_one_material_or_general<'a>(job: &mut impl PairJob<'a>) {
     let Setup { simd, model, .. } = job.setup();
     match Known::of(model) {
-        Known::OneMaterial => simd.run(By::<_, 0>(job)),
-        _ => simd.run(By::<_, 3>(job)),
+        Known::OneMaterial => simd.run(By::<_, { Known::OneMaterial as usize }>(job)),
+        _ => simd.run(By::<_, { Known::Nothing as usize }>(job)),
     }
 }
 

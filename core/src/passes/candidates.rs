@@ -90,8 +90,8 @@ impl Candidates {
         self.x[self.count..self.count + SPARE].fill(FAR);
     }
 
-    /// Writes the codes of the neighbours of a particle at `x`, and their `q^2`, the first few candidates left out; returns how many there are. Where it
-    /// runs out of room, it returns how much that was.
+    /// Writes the codes and the `q^2` of the neighbours of a particle at `x` among the candidates from `first` on; returns how many
+    /// there are. Where it runs out of room, it returns how much that was.
     #[inline(always)]
     pub(crate) fn near<R: Lanes>(
         &self,

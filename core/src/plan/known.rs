@@ -2,19 +2,28 @@
 use crate::layout::Model;
 use crate::terms::table::DIRECT;
 
-/// What the compiler may take for granted of a model. Loops over pairs are compiled for each of these, without what only
-/// the others need: the numbers of particles that such a thing takes would be in their way, in registers and on the stack.
+/// How much the compiler may take for granted of a model. Loops over pairs are compiled once for each of these, without the code that
+/// only other scenes need: that code would take registers and stack even where it never runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Known {
-    /// One material, between planes; kernels by their formulas, and one support for all.
+    /// One material, no walls of particles and no periodic axis; kernels by their formulas, one support for all, no air.
     OneMaterial,
-    /// Any materials, else the same.
+    /// Any materials, masses and walls of particles; no periodic axis; kernels, supports and air as above.
     NoPeriods,
-    /// Some axis is periodic, else the same.
+    /// Some axis is periodic; else as with no periods.
     Periods,
-    /// Nothing is known.
+    /// Anything.
     Nothing,
 }
+
+// loops name one by its place in the list
+const _: () = {
+    let mut i = 0;
+    while i < Known::ALL.len() {
+        assert!(Known::ALL[i] as usize == i);
+        i += 1;
+    }
+};
 
 impl Known {
     /// From the most that is known to the least.

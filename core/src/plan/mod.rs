@@ -15,7 +15,7 @@ pub use explain::{LeftOut, Terms};
 use crate::layout::Model;
 use crate::scene::{
     DensityForm, Dimension, Evaluation, Fluid, GridStructure, Live, ModelChoice, NearPressure, Reflection,
-    SurfaceTension, Viscosity,
+    SurfaceTension, Traversal, Viscosity,
 };
 use crate::terms::{near, tension, viscosity, wall};
 use crate::validate::Checked;
@@ -112,8 +112,10 @@ impl Plan {
                 reflection: scene.container.as_ref().map_or(Reflection::default(), |c| c.reflection) as u32,
                 wall_particles: choice.wall_pressure as u32,
                 periodic: u32::from(scene.periodic_axes().next().is_some()),
-                // a table is made for one support
-                variable_support: u32::from(choice.evaluation == Evaluation::Direct),
+                // a table is made for one support, and the half stencil searches by one
+                variable_support: u32::from(
+                    choice.evaluation == Evaluation::Direct && scene.grid.traversal == Traversal::FullStencil,
+                ),
                 masses: 1,
                 species: 1,
                 fluids: 1,

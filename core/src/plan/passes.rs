@@ -43,8 +43,9 @@ macro_rules! with_passes {
             /// Finds the support radius of each particle (where they vary).
             Support: c_density / support, particles, reads, if |m| m.variable_support == 1, [
                 read previous_density_pressure, write support_ratio];
-            /// Lists the neighbours of each particle, unless density follows from distances alone: then the density pass does.
-            Neighbours: c_density / neighbours, host, reads, if |m| !m.sums_distances(), [];
+            /// Lists the neighbours of each particle. Where density follows from distances alone, the density pass does that; the half
+            /// stencil makes no lists.
+            Neighbours: c_density / neighbours, host, reads, if |m| m.half_stencil == 0 && !m.sums_distances(), [];
             /// Computes density, pressure and volume.
             Density: c_density / density, particles, reads, if |_| true, [
                 read cell_start, read position@new, read velocity@new, read previous_density_pressure, read support_ratio,

@@ -328,12 +328,14 @@ impl Face {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(u32)]
 pub enum Traversal {
-    /// All cells around its own: each pair is computed twice, once for either particle, in lanes, on any backend.
+    /// All cells around a particle's own: each pair is computed twice, once for each of its particles. It runs on both backends, and
+    /// is the faster one in lanes.
     #[default]
     FullStencil = 0,
-    /// The half of them that lies ahead: each pair is computed once and acts on both particles alike (Gourlay, S4), in planes
-    /// of cells, the even ones first. Its sums run in an order of their own, which the number of cells decides too, and so do its
-    /// bits: they are the same at every level, on any number of threads and with either structure. On the CPU alone.
+    /// The half of those cells that lies ahead: each pair is computed once, and both of its particles get their share (Gourlay, S4).
+    /// It works plane by plane, the even planes first. Its order of summation is its own and depends on the number of cells, and so
+    /// do its bits; they are the same at every level, on any number of threads and with either structure. It runs on the CPU alone,
+    /// and a scene is refused where a pair does not act alike on both particles, or where another pass needs all neighbours.
     HalfStencil = 1,
 }
 

@@ -133,7 +133,8 @@ pub struct FieldLattice {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
 pub struct Grid {
     /// Cells along x, y, z (default 32 each, S0 section 4.2.2). At least 3; in 2D the one along z is ignored, and along a
-    /// periodic axis there are as many as fit. Too few and far particles share cells, which costs time and never a bit.
+    /// periodic axis there are as many as fit. With too few, particles that are far apart share cells. That costs
+    /// time; it never changes a bit with the full stencil, but does with the half stencil, whose sums follow the cells.
     pub cells: [u32; 3],
     /// How particles get into cells.
     pub structure: GridStructure,

@@ -1,4 +1,4 @@
-//! What the half stencil can do: sums in which what a pair adds to one of its particles follows from what it adds to the other.
+//! Refuses what the half stencil cannot do.
 use super::bounds::not_together;
 use crate::error::SceneError;
 use crate::scene::{DensityForm, PressureForce, Scene, SurfaceTension, Traversal, Viscosity};
@@ -17,11 +17,17 @@ pub(super) fn check(scene: &Scene) -> Result<(), SceneError> {
             alike,
         ),
         (!scene.walls.is_empty(), "walls of particles", alike),
-        (model.variable_support.is_some(), "model.variable_support", alike),
+        (
+            model.hydrostatic_start
+                && matches!(model.surface_tension, SurfaceTension::Attraction | SurfaceTension::GradientSum),
+            "model.hydrostatic_start and a model.surface_tension between pairs",
+            alike,
+        ),
+        (model.variable_support.is_some(), "model.variable_support", "it searches by one support for all"),
         (
             matches!(model.density, DensityForm::Continuity | DensityForm::ContinuityAdapted),
             "a model.density that is stepped",
-            once,
+            "it sums what follows from distances, and this needs velocities",
         ),
         (scene.corrects_pressure(), "model.pressure_solver PressureCorrection", once),
         (

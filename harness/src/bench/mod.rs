@@ -18,6 +18,7 @@ use crate::scenes::{Changes, Named, load};
 use crate::timing::Milliseconds;
 use levels::levels;
 use measure::{time_cpu, time_gpu};
+use millpond_core::scene::Traversal;
 use millpond_core::{Executor, OwnedMemory, Requirements, Simd};
 use roofline::{ceilings, costs};
 use serde::Serialize;
@@ -51,13 +52,13 @@ pub struct Options {
     /// Time another build of this program too, in turn with this one, and compare their shortest steps
     #[arg(long, value_name = "BINARY", conflicts_with_all = ["scaling", "structures"])]
     against: Option<PathBuf>,
-    /// Time the scene at every level of this processor, each with one thread and with all, in turn
+    /// Time the scene at every SIMD level of this processor, in turn, with one thread and with --threads of them
     #[arg(long, conflicts_with_all = ["scaling", "structures", "against", "simd"])]
     levels: bool,
     /// Measure what this machine can compute and move at most, and say how near each pass comes to it
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["scaling", "against"])]
     roofline: bool,
-    /// How often each of the two is run
+    /// With --against: how often each of the two builds is run
     #[arg(long, default_value_t = 5, value_name = "N", requires = "against", value_parser = clap::value_parser!(u32).range(1..))]
     rounds: u32,
 }
@@ -93,9 +94,9 @@ pub struct Bench {
     /// Time of a step, ms, where a GPU is given all steps at once and asked for nothing in between.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ms_per_step_at_once: Option<f64>,
-    /// Shortest step over the particles, ns.
+    /// Shortest step divided by the number of particles, ns.
     pub ns_per_particle_step: f64,
-    /// Memory of the solver over the particles.
+    /// Bytes of the solver's memory per particle.
     pub bytes_per_particle: f64,
     /// Neighbours of a particle, itself counted.
     pub average_neighbours: FirstLast,
@@ -135,7 +136,7 @@ pub struct PassTime {
 /// What a pass computes and moves, beside what the machine can.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Roof {
-    /// Operations on numbers, padding of the lanes and addresses left out; of the passes whose pairs are counted.
+    /// Operations on numbers, without addresses and unused lanes; only for the passes whose pairs are counted.
     pub operations: Option<u64>,
     /// Their rate over that of the machine's sums and products.
     pub share_of_arithmetic: Option<f64>,
@@ -170,13 +171,13 @@ pub struct LevelTime {
 pub struct ListView {
     /// Groups of four particles.
     pub groups: usize,
-    /// Those whose lists fit into memory.
+    /// Those that have lists; the others have too many neighbours or candidates, or their lists do not fit into memory.
     pub listed: usize,
     /// Share of the places of the lists that hold a pair: how full the lanes are.
     pub filling: f64,
     /// Listed pairs over the shortest step.
     pub million_pairs_per_second: f64,
-    /// Pairs that were tried to find them, likewise.
+    /// Pairs that were tried to find them, over the shortest step.
     pub million_tested_pairs_per_second: f64,
 }
 
@@ -187,7 +188,7 @@ pub struct StructureTime {
     pub structure: String,
     /// Time of a step, steps with the two structures being taken in turn.
     pub ms_per_step: Milliseconds,
-    /// Memory of the solver over the particles.
+    /// Bytes of the solver's memory per particle.
     pub bytes_per_particle: f64,
 }
 
@@ -252,13 +253,18 @@ fn bench(named: &Named, options: &Options) -> Result<Bench, Failure> {
             return Err(Failure::Call("--simd is for the CPU: leave --backend gpu out".into()));
         }
         if simd.or_best() != simd {
-            return Err(Failure::Call(format!("this processor has no {name:?}").to_lowercase()));
+            let name = format!("{name:?}").to_lowercase();
+            return Err(Failure::Call(format!("--simd {name}: this processor has no such level: leave --simd out")));
         }
         solver = solver.at_level(simd);
     }
     let cpus = [(options.structures, "structures"), (options.levels, "levels"), (options.roofline, "roofline")];
     if let Some((_, name)) = cpus.iter().find(|(asked, _)| *asked && options.backend == BackendName::Gpu) {
         return Err(Failure::Call(format!("--{name} is for the CPU: leave --backend gpu out")));
+    }
+    if options.roofline && scene.grid.traversal == Traversal::HalfStencil {
+        let why = "--roofline counts the pairs of neighbour lists, and grid.traversal HalfStencil makes none: leave one of them out";
+        return Err(Failure::Call(why.into()));
     }
     let simd = solver.simd();
     let bar = progress(&format!("bench {}", named.name), u64::from(options.warm_up) + u64::from(options.steps));

@@ -4,7 +4,8 @@ use millpond_core::layout::{Model, Parameters, TABLE_WORDS};
 use millpond_core::terms::density::{continuity_neighbour, is_stepped, number_density_neighbour, summed_neighbour};
 use millpond_core::terms::near::{ARTICLE, near_density_neighbour};
 use millpond_core::terms::neighbour::force_neighbour;
-use millpond_core::terms::pair::{Local, separation, squared_ratio};
+use millpond_core::terms::pair::{Local, pair_scale, separation, squared_ratio};
+use millpond_core::terms::wall::mass_seen;
 use std::cell::Cell;
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -13,7 +14,7 @@ thread_local! {
     static COUNTED: Cell<u64> = const { Cell::new(0) };
 }
 
-/// A number that counts: each sum, product, quotient, root, comparison and choice is one operation.
+/// A number that counts: each sum, product, quotient, root, magnitude, change of sign, comparison and choice is one operation.
 #[derive(Clone, Copy)]
 struct Counted(f32);
 
@@ -142,7 +143,12 @@ fn pair(p: &Parameters) -> [Local<Counted>; 2] {
 /// Of trying a pair: is it one?
 pub(super) fn of_test(m: &Model, p: &Parameters) -> u64 {
     let [a, b] = pair(p);
-    counted(|| squared_ratio(m, p, separation(m, p, a.position, b.position), Counted(1.0)).less(Counted(1.0)))
+    counted(|| squared_distance(m, p, a, b).less(Counted(1.0)))
+}
+
+/// Squared distance over the pair's squared support.
+fn squared_distance(m: &Model, p: &Parameters, a: Local<Counted>, b: Local<Counted>) -> Counted {
+    squared_ratio(m, p, separation(m, p, a.position, b.position), pair_scale(m, a.support, b.support))
 }
 
 /// Of what a neighbour adds to the density of a particle. Where that follows from the distance alone, it is what was found by trying.
@@ -150,15 +156,19 @@ pub(super) fn of_density(m: &Model, p: &Parameters) -> u64 {
     let (tables, [a, b]) = (&[0.0; TABLE_WORDS], pair(p));
     counted(|| {
         let one = real::<Counted>(1.0);
-        let q2 = real(0.16);
+        let (q2, mass_b) = if m.sums_distances() {
+            (real(0.16), one)
+        } else {
+            (squared_distance(m, p, a, b), mass_seen(m, a.rest, b.mass, b.rest, b.wall))
+        };
         let sum = if is_stepped(m) {
             let v_ab = a.velocity - b.velocity;
             let x_ab = separation(m, p, a.position, b.position) - v_ab * real(1.0);
-            continuity_neighbour(m, p, tables, x_ab, v_ab, one, one)
+            continuity_neighbour(m, p, tables, x_ab, v_ab, mass_b, one)
         } else {
-            summed_neighbour(m, tables, one, q2, one)
+            summed_neighbour(m, tables, mass_b, q2, one)
         };
-        let near = (m.near_pressure == ARTICLE).then(|| near_density_neighbour(m, one, q2, one));
+        let near = (m.near_pressure == ARTICLE).then(|| near_density_neighbour(m, mass_b, q2, one));
         let number = (m.numbers == 1).then(|| number_density_neighbour(m, tables, q2, one));
         // and they are added up
         [Some(sum), near, number].map(|sum| sum.map(|sum| one + sum))

@@ -20,7 +20,7 @@ pub(super) fn table(b: &Bench) -> String {
     out += &format!("  {:8.3} of real time\n", b.real_time_factor);
     if let Some(lists) = &b.lists {
         out += &format!(
-            "  {:8.1} million pairs a second of {:.0} tried, lanes {:.0} % full, {} of {} groups have lists\n",
+            "  {:8.1} million pairs a second, of {:.0} million tried, lanes {:.0} % full, {} of {} groups have lists\n",
             lists.million_pairs_per_second,
             lists.million_tested_pairs_per_second,
             lists.filling * 100.0,
@@ -71,7 +71,7 @@ fn roof(pass: &PassTime) -> String {
         (Some(count), Some(share)) => {
             format!("{:7.1} {unit} ({:2.0} %)", count as f64 / pass.ms * 1e-6, share * 100.0)
         }
-        _ => " ".repeat(19),
+        _ => " ".repeat(15 + unit.len()),
     };
     rate(roof.operations, "Gop/s", roof.share_of_arithmetic) + &rate(roof.bytes, "GB/s", roof.share_of_memory)
 }

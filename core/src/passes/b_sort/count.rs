@@ -63,12 +63,11 @@ impl Work for &mut Job<'_> {
     fn run<R: Lanes>(self) {
         for first in (0..self.cell.len()).step_by(R::LANES) {
             let end = (first + R::LANES).min(self.cell.len());
-            let near = cells_of::<R>(self.setup.parameters, |lane| &self.position[(first + lane).min(end - 1)]);
-            match near {
-                Some(cells) if self.setup.model.air == 0 => {
-                    self.cell[first..end].copy_from_slice(&cells[..end - first]);
-                }
-                _ => self.one_by_one(first..end),
+            let row = |lane: usize| &self.position[(first + lane).min(end - 1)];
+            let cells = if self.setup.model.air == 0 { cells_of::<R>(self.setup.parameters, row) } else { None };
+            match cells {
+                Some(cells) => self.cell[first..end].copy_from_slice(&cells[..end - first]),
+                None => self.one_by_one(first..end),
             }
         }
     }

@@ -9,7 +9,6 @@ use crate::passes::context::Step;
 use crate::passes::field;
 use crate::passes::group::{Group, fold};
 use crate::passes::half_stencil;
-use crate::passes::lists::Lists;
 use crate::passes::local::{own_numbers, particles};
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::exchange::{exchange_close, exchange_neighbour, exchange_share};
@@ -25,7 +24,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let out = if corrects { &mut *step.scratch.non_pressure_acceleration } else { &mut *step.new.acceleration };
     if step.setup.model.half_stencil == 1 {
         half_stencil::force::sum_once(step.setup, step.executor, particles, cells, out);
-        pairs::run(step.setup, step.executor, particles, cells, Lists::NONE, &Summed, out);
+        pairs::run(step.setup, step.executor, particles, cells, lists, &Summed, out);
     } else {
         pairs::run(step.setup, step.executor, particles, cells, lists, &Force, out);
     }

@@ -23,7 +23,7 @@ struct Normals;
 
 impl PairPass for Normals {
     fn work(job: &mut Job<'_, Self>) {
-        by_model::run(job);
+        by_model::run_one_material_or_general(job);
     }
 
     #[inline(always)]

@@ -26,7 +26,7 @@ struct Tension<'a> {
 
 impl PairPass for Tension<'_> {
     fn work(job: &mut Job<'_, Self>) {
-        by_model::run(job);
+        by_model::run_one_material_or_general(job);
     }
 
     fn absent(&self, _: &Setup<'_>, _: &mut [f32x4]) {}

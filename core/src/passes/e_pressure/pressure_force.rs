@@ -26,7 +26,7 @@ struct PressureForce<'a> {
 
 impl PairPass for PressureForce<'_> {
     fn work(job: &mut Job<'_, Self>) {
-        by_model::run(job);
+        by_model::run_one_material_or_general(job);
     }
 
     #[inline(always)]

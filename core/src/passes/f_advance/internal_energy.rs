@@ -26,7 +26,7 @@ struct InternalEnergy<'a> {
 
 impl PairPass for InternalEnergy<'_> {
     fn work(job: &mut Job<'_, Self>) {
-        by_model::run(job);
+        by_model::run_one_material_or_general(job);
     }
 
     /// As fresh as whoever is made of it next.

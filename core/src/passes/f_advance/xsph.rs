@@ -25,7 +25,7 @@ struct Xsph<'a> {
 
 impl PairPass for Xsph<'_> {
     fn work(job: &mut Job<'_, Self>) {
-        by_model::run(job);
+        by_model::run_one_material_or_general(job);
     }
 
     #[inline(always)]

@@ -21,9 +21,10 @@ pub(crate) fn sum_once(
     cells: Cells<'_>,
     sums: &mut [f32x4],
 ) {
-    // a particle is a neighbour of its own, and no pair
+    // a particle is its own neighbour, but makes no pair with itself
     for (slot, sum) in sums.iter_mut().enumerate() {
-        *sum = share(&setup, particles.position[slot][3], 0.0);
+        let a: Local<f32> = particles.receivers(&setup, slot, slot);
+        *sum = share(&setup, mass_seen(setup.model, a.rest, a.mass, a.rest, a.wall), 0.0);
     }
     run(setup, executor, particles, cells, &Sums, sums);
 }
@@ -42,7 +43,7 @@ struct Sums;
 
 impl PairSum for Sums {
     fn work(job: &mut Job<'_, Self>) {
-        by_model::run_plain_or_general(job);
+        by_model::run_one_material_or_general(job);
     }
 
     #[inline(always)]

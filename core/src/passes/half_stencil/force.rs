@@ -27,7 +27,7 @@ struct Forces;
 
 impl PairSum for Forces {
     fn work(job: &mut Job<'_, Self>) {
-        by_model::run_plain_or_general(job);
+        by_model::run_one_material_or_general(job);
     }
 
     #[inline(always)]

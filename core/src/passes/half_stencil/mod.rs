@@ -1,8 +1,10 @@
-//! Each pair once (Gourlay): what a pair adds to one of its particles is known once it is known what it adds to the other.
+//! Each pair once (Gourlay): from what a pair adds to one of its particles follows what it adds to the other.
 //!
-//! A plane of cells looks ahead to the next one, and so writes to two. Planes whose writes do not meet are worked on side by side:
-//! first the even ones, then the odd ones, at last the last one, which looks ahead to the first. What is added to a particle
-//! comes in an order that this and the grid decide, and no number of threads.
+//! A plane of cells looks ahead to the next plane, and so writes to both. Planes that do not write to the same particles are
+//! worked on side by side: first the even ones, then the odd ones, and at the end the last plane, alone, which looks ahead to the
+//! first. The order in which a particle's sum grows follows from this and from the grid, never from the number of threads. The
+//! price is that work is shared out by planes, however many particles each of them holds.
+
 pub(crate) mod density;
 pub(crate) mod force;
 
@@ -14,9 +16,9 @@ use super::local::Particles;
 use crate::arithmetic::codes::MOST_LANES;
 use crate::arithmetic::lanes::{Lanes, Slots};
 use crate::arithmetic::real::vec3;
-use crate::executor::{Executor, Jobs, parts, shares};
+use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::grid::Cells;
 use crate::grid::half::{Planes, ahead};
-use crate::grid::{Cells, cell_of};
 use crate::layout::f32x4;
 use crate::terms::pair::{Local, separation, squared_ratio};
 use core::array;
@@ -57,12 +59,13 @@ pub(crate) struct Job<'a, S> {
     /// The first, and how many.
     first: usize,
     count: usize,
-    /// The sums of its particles, and after them those of particles that lie elsewhere: of the first plane, which the last looks at.
+    /// Sums of the particles in these planes and in the next one, from this slot on.
     own: (usize, &'a mut [f32x4]),
+    /// Sums of particles elsewhere, from this slot on: for the last plane, those of the first.
     others: (usize, &'a mut [f32x4]),
 }
 
-/// Adds to the sums what all pairs add; a particle with itself is none.
+/// Adds to the sums what all pairs add; a particle makes no pair with itself.
 pub(crate) fn run<S: PairSum>(
     setup: Setup<'_>,
     executor: &impl Executor,
@@ -73,18 +76,17 @@ pub(crate) fn run<S: PairSum>(
 ) {
     let planes = Planes::of(setup.parameters, setup.model.layers);
     for parity in 0..2 {
-        // planes of this parity that are not the last
-        let pairs = (planes.count - parity) / 2;
+        // those of this parity, but for the last of all
+        let count = (planes.count - parity) / 2;
         let mut jobs = Jobs::new();
         let (mut rest, mut passed) = (&mut *sums, 0);
-        for share in shares(pairs, parts(executor).min(pairs.max(1))) {
+        for share in shares(count, parts(executor).min(count)) {
             let first = parity + 2 * share.start;
             let slots = planes.slots(cells, first..first + 2 * share.len());
-            let _ = rest.split_off_mut(..slots.start - passed);
-            let Some(own) = rest.split_off_mut(..slots.len()) else { continue };
+            take(&mut rest, slots.start - passed);
+            let own = (slots.start, take(&mut rest, slots.len()));
             passed = slots.end;
-            let own = (slots.start, own);
-            let others: (usize, &mut [f32x4]) = (usize::MAX, &mut []);
+            let others: (usize, &mut [f32x4]) = (0, &mut []);
             let _ = jobs.push(Job { setup, particles, cells, sum, planes, first, count: share.len(), own, others });
         }
         executor.run(&mut jobs, S::work);
@@ -129,17 +131,15 @@ impl<'a, S: PairSum> PairJob<'a> for Job<'a, S> {
         let (cells, planes) = (self.cells, self.planes);
         let mut near = Near { candidates: Candidates::none(), codes: [0; ROOM], q2: [0.0; ROOM] };
         for plane in (self.first..).step_by(2).take(self.count) {
-            let slots = planes.slots(cells, plane..plane + 1);
-            let mut slot = slots.start;
-            while slot < slots.end {
-                // who lies there knows the cell: no need to pass by the empty ones
-                let Ok(cell) = cell_of(setup.parameters, self.particles.position[slot]) else { break };
-                let members = cells.members(cell as usize);
-                self.gather::<R>(setup, cell as usize, &mut near.candidates);
-                for a in members.clone() {
-                    self.with_those_ahead::<R>(setup, a, cell as usize, members.clone(), &mut near);
+            for cell in plane * planes.cells..(plane + 1) * planes.cells {
+                let members = cells.members(cell);
+                if members.is_empty() {
+                    continue;
                 }
-                slot = members.end.max(slot + 1);
+                self.gather::<R>(setup, cell, &mut near.candidates);
+                for a in members.clone() {
+                    self.with_those_ahead::<R>(setup, a, cell, members.clone(), &mut near);
+                }
             }
         }
     }
