@@ -220,7 +220,7 @@ impl<'m> Solver<'m> {
         let mut step = Step { setup, executor, old, new, scratch, given, list_words: *list_words, found, command };
         step::run(&mut step, commands, begins).map_err(|error| error.at_step(self.steps + 1))?;
         let found = step.found;
-        self.has_lists = self.plan.model.half_stencil == 0;
+        self.has_lists = self.plan.model.makes_lists();
         Ok(found)
     }
 

@@ -8,7 +8,7 @@ use millpond_core::scene::{
 use millpond_core::{Checked, OwnedMemory, Pass, Plan, Requirements, Serial, Simd, Solver};
 
 mod support;
-use support::{Threads, dam_break, dam_break_2d, thesis_cube};
+use support::{Threads, dam_break, dam_break_2d, start, thesis_cube, with_a_crowd};
 
 fn half(scene: &Scene) -> Scene {
     let mut half = scene.clone();
@@ -39,10 +39,6 @@ fn check(what: &str, scene: &Scene, places: &[InitialParticle], steps: usize) {
     assert_eq!(hash(&lists, places, Simd::detect(), 2, steps), want, "{what}: cell lists");
 }
 
-fn start(scene: &Scene) -> Vec<InitialParticle> {
-    support::checked(scene).initial_particles().collect()
-}
-
 #[test]
 fn its_bits_are_the_same_on_every_path() {
     for (what, scene) in [("dam break", dam_break(0.4)), ("cube", thesis_cube(0.5)), ("plane", dam_break_2d(0.5))] {
@@ -59,24 +55,12 @@ fn its_bits_are_the_same_on_every_path() {
     check("one particle", &scene, &start(&scene)[..1], 20);
 }
 
-/// So many particles more, in a cube of half a spacing at the place of the first one.
-fn crowded(scene: &Scene, count: usize) -> Vec<InitialParticle> {
-    let mut places = start(scene);
-    let first = places[0];
-    places.extend((0..count).map(|i| {
-        let offset = |n: usize| (i * n % 97) as f32 / 97.0 * 0.5 * scene.particle_spacing;
-        let [x, y, z] = first.position;
-        InitialParticle { position: [x + offset(7), y + offset(11), z + offset(13)], ..first }
-    }));
-    places
-}
-
 #[test]
 fn its_bits_are_the_same_in_a_crowd() {
     let scene = Scene { time_step: 1e-12, ..dam_break(0.3) };
     // more neighbours than fit at once, and more candidates: what is not listed is searched
     for crowd in [600, 1100] {
-        let places = crowded(&scene, crowd);
+        let places = with_a_crowd(&scene, start(&scene), crowd);
         check("a crowd", &scene, &places, 1);
         let all = evaluated(&scene, &places, Plan::of);
         agree("a crowd", &all, &evaluated(&half(&scene), &places, Plan::of), crowd);

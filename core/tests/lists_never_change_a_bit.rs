@@ -5,7 +5,7 @@ use millpond_core::scene::{Face, InitialParticle, Scene, Wall, WallPressure, Wal
 use millpond_core::{LIST_WORDS, ListReport, OwnedMemory, Plan, Requirements, Simd, Solver};
 
 mod support;
-use support::{Threads, dam_break, dam_break_2d};
+use support::{Threads, dam_break, dam_break_2d, start, with_a_crowd};
 
 /// The hash of all state after some steps, of particles that stand where `places` says, and how full the lists then are.
 fn run(
@@ -40,24 +40,6 @@ fn check(what: &str, scene: &Scene, places: &[InitialParticle], steps: usize) ->
         }
     }
     lists
-}
-
-/// The particles that a scene starts with.
-fn start(scene: &Scene) -> Vec<InitialParticle> {
-    support::checked(scene).initial_particles().collect()
-}
-
-/// So many particles more, in a cube of half a spacing at the place of the first one.
-fn with_a_crowd(scene: &Scene, mut places: Vec<InitialParticle>, count: usize) -> Vec<InitialParticle> {
-    let first = places[0];
-    let offset = |i: usize| [7, 11, 13].map(|n| (i * n % 97) as f32 / 97.0 * 0.5 * scene.particle_spacing);
-    places.extend((0..count).map(|i| {
-        let offset = offset(i);
-        let along = |axis: usize| if axis < scene.dimension.count() { offset[axis] } else { 0.0 };
-        let position = core::array::from_fn(|axis| first.position[axis] + along(axis));
-        InitialParticle { position, ..first }
-    }));
-    places
 }
 
 #[test]

@@ -92,7 +92,7 @@ impl GpuSolver {
         let plan = solver.plan();
         countable(solver.steps())?;
         if plan.model.half_stencil == 1 {
-            let why = "on a device two particles would add to a third at once; leave it at FullStencil";
+            let why = "on a device two particles would add to a third at once; set it to FullStencil";
             return Err(GpuError::CpuOnly { choice: "grid.traversal HalfStencil", why });
         }
         let (buffers, dispatches) = gpu.caught(|| {

@@ -128,28 +128,22 @@ pub fn compare(
     let mut level_heaps: Vec<_> = Simd::available().skip(1).map(|simd| (simd, OwnedMemory::of(scene))).collect();
     let mut reference = start(&named.name, scene, first)?.at_level(Simd::Scalar);
     let other = other_grid(scene, &mut reference);
-    let refused = |error| Failure::Scene { origin: named.name.clone(), error };
-    let needs = Requirements::of(&other.check().map_err(refused)?);
-    let needs = Some(needs).filter(|needs| needs.bytes() <= MOST_BYTES);
+    // a grid with so many places may be more than any scene can have
+    let needs = other.check().ok().map(|other| Requirements::of(&other)).filter(|needs| needs.bytes() <= MOST_BYTES);
     let with_other = needs.is_some();
     let mut other_heap = needs.as_ref().map(OwnedMemory::with).unwrap_or_default();
     let mut rivals = Vec::new();
     let mut enter = |b: String, promised: bool, path| {
         rivals.push(Rival { path, pair: Pair::new(b, promised), times: Vec::new() });
     };
-    // the one choice that no device has
-    let on_device = scene.grid.traversal == Traversal::FullStencil;
-    if !on_device && !paths.devices.is_empty() {
-        if !paths.cpu {
-            let why =
-                "grid.traversal HalfStencil is for the CPU alone: leave --backend gpu out, or set it to FullStencil";
-            return Err(Failure::Call(why.into()));
-        }
+    // a device refuses the half stencil; beside the CPU's other paths it is left out
+    let leaves_out = paths.cpu && scene.grid.traversal == Traversal::HalfStencil;
+    if leaves_out && !paths.devices.is_empty() {
         eprintln!(
             "the GPU is left out: grid.traversal HalfStencil is for the CPU alone; set it to FullStencil to compare the GPU too"
         );
     }
-    for gpu in paths.devices.iter().filter(|_| on_device) {
+    for gpu in paths.devices.iter().filter(|_| !leaves_out) {
         let solver = GpuSolver::new(gpu, &reference)?;
         let mode = format!("{:?}", gpu.mode()).to_lowercase();
         enter(format!("gpu {mode}, {}", gpu.name()), gpu.mode() == Mode::Strict, Path::Gpu(Box::new(solver)));
@@ -169,7 +163,10 @@ pub fn compare(
         if with_other {
             cpu(&format!("{name}, other grid"), &other, &mut other_heap, best, &one)?;
         } else {
-            eprintln!("other grid left out: it would take more than the {} GiB that a scene may", MOST_BYTES >> 30);
+            eprintln!(
+                "the other grid is left out: its cells would take more than the {} GiB that a scene may use",
+                MOST_BYTES >> 30
+            );
         }
     }
 

@@ -144,7 +144,7 @@ fn in_words(command: Command) -> String {
         Command::Gather { from: (from, _), to } => format!("gather {} from {}", to.name(), from.name()),
         Command::Validate(array) => format!("validate {}", array.name()),
         Command::Repeat { commands, most } => {
-            format!("repeat the next {commands} until they converge, {most} times at most")
+            format!("repeat the next {commands} commands until pressure converges, {most} times at most")
         }
     }
 }
@@ -252,10 +252,10 @@ pub fn table(view: &PlanView) -> String {
     let (bytes, ms) = (view.bytes, view.ms_per_step);
     let particles = view.particles.max(1);
     out += &format!(
-        "bytes: {} used, {} with everything; {:.0} a particle\n",
+        "bytes: {} used ({:.0} a particle), {} with everything\n",
         bytes.used,
-        bytes.everything,
-        bytes.used as f64 / particles as f64
+        bytes.used as f64 / particles as f64,
+        bytes.everything
     );
     if ms.plan > 0.0 {
         out += &format!("ms a step at least: {:.3} by the plan, {:.3} with everything\n", ms.plan, ms.everything);

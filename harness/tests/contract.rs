@@ -54,6 +54,13 @@ fn documents_have_the_keys_that_others_rely_on() {
     has(&bench, &["passes[].ms", "ns_per_particle_step", "bytes_per_particle", "average_neighbours.first"]);
     has(&bench, &["average_neighbours.last", "real_time_factor"]);
     let bench = json(&["bench", "thesis-cube", "--particles", "200", "--steps", "3", "--structures", "--json"]);
+    let roofs = ["bench", "thesis-cube", "--particles", "200", "--steps", "3", "--roofline", "--levels", "--json"];
+    let roofs = json(&roofs);
+    has(
+        &roofs,
+        &["ceilings.gigaoperations_per_second", "ceilings.gigabytes_per_second", "passes[].roof", "arrays[].bytes"],
+    );
+    has(&roofs, &["levels[].simd", "levels[].threads", "levels[].ms_per_step.min"]);
     has(&bench, &["structures[].structure", "structures[].ms_per_step.min", "structures[].bytes_per_particle"]);
 
     let own = env!("CARGO_BIN_EXE_millpond");

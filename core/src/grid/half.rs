@@ -22,7 +22,7 @@ impl Planes {
         if layers == 0 { Planes { count: y, cells: x } } else { Planes { count: z, cells: x * y } }
     }
 
-    /// Slots of the particles in these planes, one at least.
+    /// Slots of the particles in these planes, of which there is one at least.
     pub(crate) fn slots(&self, cells: Cells<'_>, planes: Range<usize>) -> Range<usize> {
         cells.members(planes.start * self.cells).start..cells.members(planes.end * self.cells - 1).end
     }

@@ -6,6 +6,7 @@ mod by_model;
 mod candidates;
 pub(crate) mod columns;
 pub(crate) mod context;
+mod density_sums;
 mod field;
 mod group;
 mod half_stencil;

@@ -12,10 +12,10 @@ use crate::layout::f32x4;
 /// The lists of a step: a macro for the same reason as [`particles`](super::local::particles). The half stencil makes none.
 macro_rules! lists {
     ($step:ident) => {
-        if $step.setup.model.half_stencil == 1 {
-            $crate::passes::lists::Lists::NONE
-        } else {
+        if $step.setup.model.makes_lists() {
             $crate::passes::lists::Lists::new(&$step.scratch.neighbours[..$step.list_words], $step.new.id.len())
+        } else {
+            $crate::passes::lists::Lists::NONE
         }
     };
 }

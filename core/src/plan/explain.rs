@@ -138,7 +138,7 @@ impl Plan {
             (m.layers == 0, "cells along z", "the scene is in 2D: a stencil of 9 cells"),
             (!lists, "cell lists", "grid.structure is the index sort"),
             (lists, "index sort", "grid.structure is cell lists"),
-            (m.half_stencil == 1, "neighbour lists", "grid.traversal is HalfStencil"),
+            (!m.makes_lists(), "neighbour lists", "grid.traversal is HalfStencil"),
             (m.fluids == 0, "several fluids", "there is one"),
             (m.tension == 0, "surface tension", "model.surface_tension is Off, or fluid.surface_tension is 0"),
             (m.normals == 0, "normals", "no tension needs them, and model.surface_normals is off"),

@@ -37,6 +37,12 @@ impl Model {
         !is_stepped(self) && !counts_masses(self) && self.variable_support == 0
     }
 
+    /// Does a step list neighbours? The half stencil finds them anew.
+    #[must_use]
+    pub fn makes_lists(&self) -> bool {
+        self.half_stencil == 0
+    }
+
     /// Are kernels read from tables?
     #[must_use]
     pub fn reads_tables(&self) -> bool {

@@ -45,7 +45,7 @@ macro_rules! with_passes {
                 read previous_density_pressure, write support_ratio];
             /// Lists the neighbours of each particle. Where density follows from distances alone, the density pass does that; the half
             /// stencil makes no lists.
-            Neighbours: c_density / neighbours, host, reads, if |m| m.half_stencil == 0 && !m.sums_distances(), [];
+            Neighbours: c_density / neighbours, host, reads, if |m| m.makes_lists() && !m.sums_distances(), [];
             /// Computes density, pressure and volume.
             Density: c_density / density, particles, reads, if |_| true, [
                 read cell_start, read position@new, read velocity@new, read previous_density_pressure, read support_ratio,

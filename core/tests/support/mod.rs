@@ -146,3 +146,21 @@ impl Random {
         (self.bits() >> 8) as f32 / (1u32 << 24) as f32
     }
 }
+
+/// The particles that a scene starts with.
+pub fn start(scene: &Scene) -> Vec<InitialParticle> {
+    checked(scene).initial_particles().collect()
+}
+
+/// So many particles more, in a cube of half a spacing at the place of the first one.
+pub fn with_a_crowd(scene: &Scene, mut places: Vec<InitialParticle>, count: usize) -> Vec<InitialParticle> {
+    let first = places[0];
+    let offset = |i: usize| [7, 11, 13].map(|n| (i * n % 97) as f32 / 97.0 * 0.5 * scene.particle_spacing);
+    places.extend((0..count).map(|i| {
+        let offset = offset(i);
+        let along = |axis: usize| if axis < scene.dimension.count() { offset[axis] } else { 0.0 };
+        let position = core::array::from_fn(|axis| first.position[axis] + along(axis));
+        InitialParticle { position, ..first }
+    }));
+    places
+}

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::output::deliver;
 use serde::Serialize;
 use std::ffi::OsString;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Result of `bench --against`.
@@ -24,10 +24,11 @@ pub(super) struct Against {
 /// # Errors
 /// A binary that does not start, fails, or says something else than a bench does.
 pub(super) fn execute(options: &Options, other: &Path) -> Result<bool, Failure> {
-    let found = |path: std::io::Result<PathBuf>, what: &str| path.map_err(|e| Failure::Call(format!("{what}: {e}")));
-    let this = found(std::env::current_exe(), "this program does not find its own file")?;
+    let this = std::env::current_exe()
+        .map_err(|e| Failure::System(format!("this program does not find its own file: {e}")))?;
     // a name alone would be looked for among the system's programs
-    let other = &found(std::fs::canonicalize(other), &other.display().to_string())?;
+    let other = &std::fs::canonicalize(other)
+        .map_err(|e| Failure::Call(format!("--against {}: {e}: give the path of another build", other.display())))?;
     let arguments = arguments(std::env::args_os().skip(1));
     let (mut times, mut others) = (Vec::new(), Vec::new());
     for _ in 0..options.rounds {
@@ -46,8 +47,7 @@ pub(super) fn execute(options: &Options, other: &Path) -> Result<bool, Failure> 
 }
 
 /// What this program was called with, less what the other build is not to do.
-fn arguments(given: impl Iterator<Item = OsString>) -> Vec<OsString> {
-    let mut given = given;
+fn arguments(mut given: impl Iterator<Item = OsString>) -> Vec<OsString> {
     let mut kept = Vec::new();
     while let Some(argument) = given.next() {
         let name = argument.to_string_lossy();

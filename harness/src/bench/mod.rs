@@ -136,7 +136,8 @@ pub struct PassTime {
 /// What a pass computes and moves, beside what the machine can.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Roof {
-    /// Operations on numbers, without addresses and unused lanes; only for the passes whose pairs are counted.
+    /// Operations on numbers, without addresses and unused lanes; only of the passes over pairs that every scene has, and
+    /// only where all groups have lists.
     pub operations: Option<u64>,
     /// Their rate over that of the machine's sums and products.
     pub share_of_arithmetic: Option<f64>,
@@ -158,9 +159,9 @@ pub struct Ceilings {
 /// Time at a level, with so many threads.
 #[derive(Clone, Debug, Serialize)]
 pub struct LevelTime {
-    /// Which.
+    /// The level, as `--simd` names it.
     pub simd: String,
-    /// Threads.
+    /// Number of threads.
     pub threads: usize,
     /// Time of a step, the levels being taken in turn.
     pub ms_per_step: Milliseconds,

@@ -180,3 +180,16 @@ pub(super) fn of_force(m: &Model, p: &Parameters) -> u64 {
     let (tables, [a, b]) = (&[0.0; TABLE_WORDS], pair(p));
     counted(|| vec3(Counted(0.0), Counted(0.0), Counted(0.0)) + force_neighbour(m, p, tables, a, b))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn operations_are_counted_one_by_one() {
+        let (x, y) = (Counted(3.0), Counted(2.0));
+        assert_eq!(counted(|| x * y + 1.0), 2);
+        assert_eq!(counted(|| Counted::select(x, x.div(y.root()), x.less(y))), 4);
+        assert_eq!(counted(|| x.larger(y)), 1);
+    }
+}

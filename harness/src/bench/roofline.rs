@@ -11,7 +11,7 @@ use std::hint::black_box;
 
 /// Rounds of the arithmetic probe: some milliseconds.
 const ROUNDS: u32 = 1 << 20;
-/// Numbers in each of the three arrays of the memory probe, 192 MB in all: more than most caches hold.
+/// Numbers in each of the three arrays of the memory probe, 192 MiB in all: more than most caches hold.
 const NUMBERS: usize = 1 << 24;
 /// How often each probe runs; the fastest counts.
 const ATTEMPTS: usize = 5;
@@ -51,15 +51,19 @@ pub(super) struct Costs {
 pub(super) fn costs(solver: &mut Solver<'_>, requirements: &Requirements, lists: Option<ListReport>) -> Costs {
     let tested = solver.tested_pairs();
     let (plan, p) = (solver.plan(), solver.parameters());
-    let (m, pairs) = (&plan.model, lists.map_or(0, |lists| lists.pairs));
-    let trying = of_test(m, p) * tested;
-    let density = of_density(m, p) * pairs;
+    let m = &plan.model;
+    // the pairs of groups without lists are counted by nobody
+    let pairs = lists.filter(|lists| lists.listed == lists.groups).map(|lists| lists.pairs);
     let forces = plan.schedule().iter().filter(|command| command.pass() == Some(Pass::Force)).count() as u64;
-    let mut operations = vec![(Pass::Force.name(), of_force(m, p) * pairs * forces)];
+    let trying = of_test(m, p) * tested;
+    let mut operations = Vec::new();
     if Pass::Neighbours.runs(m) {
-        operations.extend([(Pass::Neighbours.name(), trying), (Pass::Density.name(), density)]);
-    } else {
-        operations.push((Pass::Density.name(), trying + density));
+        operations.push((Pass::Neighbours.name(), trying));
+    }
+    if let Some(pairs) = pairs {
+        let finding = if Pass::Neighbours.runs(m) { 0 } else { trying };
+        operations.push((Pass::Density.name(), finding + of_density(m, p) * pairs));
+        operations.push((Pass::Force.name(), of_force(m, p) * pairs * forces));
     }
     let of_array = |array: Array| (requirements.entries(array) * array.words() * size_of::<u32>()) as u64;
     // the CPU's passes over pairs read lists where a device's read cells

@@ -5,18 +5,19 @@ use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
+use crate::passes::density_sums::{beside, of_neighbour};
 use crate::passes::group::{Group, fold, masked};
 use crate::passes::half_stencil;
 use crate::passes::listing::{self, Near, Visit};
-use crate::passes::lists::{GROUP, Lists};
+use crate::passes::lists::GROUP;
 use crate::passes::local::{Particles, of_material, own_numbers, particles, spread};
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::correction::pressure_carried;
 use crate::terms::density::{
-    continuity_neighbour, deviation_of_sum, deviation_rate, deviation_stepped, is_stepped, number_density_neighbour,
-    summed_neighbour, volume_by_number, volume_close,
+    continuity_neighbour, deviation_of_sum, deviation_rate, deviation_stepped, is_stepped, volume_by_number,
+    volume_close,
 };
-use crate::terms::near::{ARTICLE, near_density_neighbour, near_pressure_close};
+use crate::terms::near::near_pressure_close;
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use crate::terms::state::{pressure_close, pressure_of_state};
 use crate::terms::wall::{MIRRORED, mass_seen};
@@ -29,7 +30,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let out = &mut *step.new.density_pressure;
     if setup.model.half_stencil == 1 {
         half_stencil::density::sum_once(setup, executor, particles, cells, out);
-        pairs::run(setup, executor, particles, cells, Lists::NONE, &Summed(pass), out);
+        pairs::run(setup, executor, particles, cells, lists!(step), &Summed(pass), out);
     } else if setup.model.sums_distances() {
         let lists = &mut step.scratch.neighbours[..step.list_words];
         listing::run(setup, executor, particles, cells, lists, &pass, out);
@@ -70,17 +71,13 @@ impl<R: Lanes> Receivers<'_, R> {
         let scale = pair_scale(m, self.support, self.particles.supports_of(self.setup, slots));
         let x_ab = separation(m, p, self.position, vec3(x, y, z));
         let q2 = squared_ratio(m, p, x_ab, scale);
-        let sum = if is_stepped(m) {
-            // where the pair was in the middle of the step
-            let v_ab = self.velocity - vec3(vx, vy, vz);
-            let x_ab = x_ab - v_ab * real(u.half_time_step);
-            continuity_neighbour(m, p, t, x_ab, v_ab, mass_b, scale)
-        } else {
-            summed_neighbour(m, t, mass_b, q2, scale)
-        };
-        let near = if m.near_pressure == ARTICLE { near_density_neighbour(m, mass_b, q2, scale) } else { none };
-        let number = if m.numbers == 1 { number_density_neighbour(m, t, q2, scale) } else { none };
-        [sum, near, number, none]
+        if !is_stepped(m) {
+            return of_neighbour(self.setup, mass_b, q2, scale);
+        }
+        // where the pair was in the middle of the step
+        let v_ab = self.velocity - vec3(vx, vy, vz);
+        let x_ab = x_ab - v_ab * real(u.half_time_step);
+        beside(self.setup, continuity_neighbour(m, p, t, x_ab, v_ab, mass_b, scale), mass_b, q2, scale)
     }
 }
 
@@ -115,8 +112,7 @@ impl Visit for Density<'_> {
 
     #[inline(always)]
     fn visit<R: Lanes>(&self, group: &Group<'_>, near: &Near, own: &mut [f32x4]) {
-        let Setup { model: m, tables: t, .. } = *group.setup;
-        let (none, one) = (real::<R>(0.0), real::<R>(1.0));
+        let one = real::<R>(1.0);
         let receiver = group.first % GROUP;
         let count = R::from_lanes(|lane| near.counts[(receiver + lane / R::NEIGHBOURS) % GROUP] as f32);
         let longest = near.counts.iter().copied().max().unwrap_or(0);
@@ -124,10 +120,7 @@ impl Visit for Density<'_> {
         let mut sums = R::nothing();
         for k in (0..longest).step_by(R::NEIGHBOURS) {
             let q2 = near.q2_of::<R>(receiver, k);
-            let near_density = if m.near_pressure == ARTICLE { near_density_neighbour(m, one, q2, one) } else { none };
-            let number = if m.numbers == 1 { number_density_neighbour(m, t, q2, one) } else { none };
-            let parts = [summed_neighbour(m, t, one, q2, one), near_density, number, none];
-            sums = R::add_up(sums, masked(parts, less(place, count)));
+            sums = R::add_up(sums, masked(of_neighbour(group.setup, one, q2, one), less(place, count)));
             place = place + R::NEIGHBOURS as f32;
         }
         self.close(group, R::sums(sums), own);

@@ -92,9 +92,9 @@ pub(crate) fn run<S: PairSum>(
         executor.run(&mut jobs, S::work);
     }
     let last = planes.count - 1;
-    let (ahead, own) = (planes.slots(cells, 0..1), planes.slots(cells, last..planes.count));
+    let (first, own) = (planes.slots(cells, 0..1), planes.slots(cells, last..planes.count));
     let (before, behind) = sums.split_at_mut(own.start);
-    let others = (ahead.start, &mut before[ahead]);
+    let others = (first.start, &mut before[first]);
     S::work(&mut Job {
         setup,
         particles,
