@@ -5,7 +5,8 @@
 use millpond::compare::difference;
 use millpond::snapshot::Snapshot;
 use millpond_core::scene::{
-    Adaptive, Block, Container, Dimension, FieldLattice, Fluid, Grid, Integrator, Live, Scene, SurfaceTension, Wind,
+    AccelerationField, AdaptiveTimeStep, Adjustable, Block, Container, Dimension, Fluid, Grid, Integrator, Scene,
+    SurfaceTension, Wind,
 };
 use millpond_core::{OwnedMemory, Requirements, SceneError, Serial, Solver};
 use millpond_gpu::{GpuError, GpuSolver, Mode};
@@ -145,15 +146,15 @@ fn what_the_plan_left_out_is_refused_by_name_unless_it_is_live() {
     let mut still = scene();
     (still.gravity, still.wind) = ([0.0; 3], None);
     (still.fluid.dynamic_viscosity, still.fluid.surface_tension) = (0.0, 0.0);
-    let cases: [(Live, OnCpu, &str); 4] = [
-        (Live::Gravity, |s| s.set_gravity([0.0, -1.0, 0.0]), "gravity"),
-        (Live::Wind, |s| s.set_wind(Some(Wind { velocity: [1.0, 0.0, 0.0], drag: 1.0 })), "wind"),
-        (Live::Viscosity, |s| s.set_viscosity(0, 1.0), "fluid.dynamic_viscosity"),
-        (Live::SurfaceTension, |s| s.set_surface_tension(0, 1.0), "fluid.surface_tension"),
+    let cases: [(Adjustable, OnCpu, &str); 4] = [
+        (Adjustable::Gravity, |s| s.set_gravity([0.0, -1.0, 0.0]), "gravity"),
+        (Adjustable::Wind, |s| s.set_wind(Some(Wind { velocity: [1.0, 0.0, 0.0], drag: 1.0 })), "wind"),
+        (Adjustable::Viscosity, |s| s.set_viscosity(0, 1.0), "fluid.dynamic_viscosity"),
+        (Adjustable::SurfaceTension, |s| s.set_surface_tension(0, 1.0), "fluid.surface_tension"),
     ];
     for (live, change, field) in cases {
         let mut keeps = still.clone();
-        keeps.live.push(live).expect("room");
+        keeps.adjustable.push(live).expect("room");
         let mut heaps = [memory(&still), memory(&keeps)];
         let [first, second] = &mut heaps;
         let mut bare = Solver::new(&still, first.lend()).expect("a scene");
@@ -190,7 +191,7 @@ fn a_speed_of_sound_that_follows_cannot_be_set() {
 #[test]
 fn a_field_that_is_refused_leaves_the_one_before() {
     let mut scene = scene();
-    scene.field = Some(FieldLattice { low: [0.0; 3], spacing: 0.3, counts: [4, 4, 1] });
+    scene.acceleration_field = Some(AccelerationField { low: [0.0; 3], spacing: 0.3, counts: [4, 4, 1] });
     scene.gravity = [1e33, 0.0, 0.0];
     let mut heaps = [memory(&scene), memory(&scene)];
     let [first, second] = &mut heaps;
@@ -209,7 +210,7 @@ fn a_field_that_is_refused_leaves_the_one_before() {
 #[test]
 fn what_no_scene_can_have_is_refused_and_changes_nothing() {
     let mut adaptive = scene();
-    adaptive.adaptive = Some(Adaptive::default());
+    adaptive.adaptive = Some(AdaptiveTimeStep::default());
     let mut beeman = scene();
     beeman.model.integrator = Integrator::Beeman;
     let cases: Vec<(Scene, OnCpu, &str)> = vec![
@@ -240,15 +241,15 @@ fn what_no_scene_can_have_is_refused_and_changes_nothing() {
 fn a_fresh_device_refuses_what_its_first_accelerations_would_not_know() {
     let Some(gpu) = device("changes_between_steps", Mode::Strict) else { return };
     let mut field = scene();
-    field.field = Some(FieldLattice { low: [0.0; 3], spacing: 0.4, counts: [3, 3, 1] });
+    field.acceleration_field = Some(AccelerationField { low: [0.0; 3], spacing: 0.4, counts: [3, 3, 1] });
     let mut heap = memory(&field);
     let solver = Solver::new(&field, heap.lend()).expect("a scene");
     let mut fluid = GpuSolver::new(&gpu, &solver).expect("a device that takes it");
-    let nodes = [[1.0, 0.0, 0.0, 0.0]; 9];
-    assert!(matches!(fluid.set_field(&nodes), Err(GpuError::BeforeFirstStep { call: "set_field" })));
+    let points = [[1.0, 0.0, 0.0, 0.0]; 9];
+    assert!(matches!(fluid.set_field(&points), Err(GpuError::BeforeFirstStep { call: "set_field" })));
     assert!(matches!(fluid.set_gravity([0.0; 3]), Err(GpuError::BeforeFirstStep { call: "set_gravity" })));
     fluid.step(1).expect("a step");
-    fluid.set_field(&nodes).expect("a field");
+    fluid.set_field(&points).expect("a field");
     let requirements = Requirements::of(&field.check().expect("a scene"));
-    assert!(requirements.counts.field_nodes == nodes.len());
+    assert!(requirements.counts.field_nodes == points.len());
 }

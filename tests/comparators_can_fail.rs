@@ -1,8 +1,8 @@
 //! Promise: what compares states sees a single value that is off by one unit in the last place, wherever it is; and what promises
 //! no bits may stray by 1 % of the spacing and of the speed of sound, and no more.
 use millpond::compare::{Difference, Paths, PerQuantity, compare, difference, ulp_distance};
+use millpond::run_length::RunLength;
 use millpond::snapshot::Snapshot;
-use millpond::span::Span;
 use millpond_core::OwnedMemory;
 use millpond_core::{Array, Serial, Solver};
 use millpond_gpu::Mode;
@@ -13,7 +13,7 @@ use support::device;
 /// A moving fluid.
 fn state() -> Snapshot {
     let mut scene = support::scaled("dam-break", 300).file.scene;
-    (scene.model.thermal_energy, scene.model.surface_normals, scene.fluid.xsph) = (true, true, 0.2);
+    (scene.model.internal_energy, scene.model.surface_normals, scene.fluid.xsph) = (true, true, 0.2);
     let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
     let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
     (0..20).for_each(|_| solver.step(&Serial).expect("a step"));
@@ -101,15 +101,15 @@ fn ulps_count_floats() {
 fn compare_tells_of_one_ulp_in_one_step() {
     let named = support::scaled("dam-break-2d", 200);
     let paths = Paths { cpu: true, threads: 2, devices: Vec::new() };
-    let clean = compare(&named, Span::Steps(8), &paths, &mut |_, _| ()).expect("a comparison");
+    let clean = compare(&named, RunLength::Steps(8), &paths, &mut |_, _| ()).expect("a comparison");
     assert!(clean.kept() && clean.pairs.iter().all(|p| p.bit_equal));
 
-    let mut meddle = |step: u64, state: &mut Snapshot| {
+    let mut tamper = |step: u64, state: &mut Snapshot| {
         if step == 5 {
             state.words_mut(Array::velocity)[29] += 1;
         }
     };
-    let told = compare(&named, Span::Steps(8), &paths, &mut meddle).expect("a comparison");
+    let told = compare(&named, RunLength::Steps(8), &paths, &mut tamper).expect("a comparison");
     assert!(!told.kept());
     let [meddled, others @ ..] = &told.pairs[..] else { panic!("no pairs") };
     assert_eq!((meddled.bit_equal, meddled.first_divergent_step, meddled.max_ulp.velocity), (false, Some(5), 1));
@@ -126,14 +126,14 @@ fn compare_tells_of_a_plain_device_that_strays_by_more_than_one_percent() {
             let scene = &named.file.scene;
             let whole = if array == Array::position { scene.particle_spacing } else { scene.fluid.speed_of_sound };
             let by = share * 0.01 * whole;
-            let mut meddle = |step: u64, state: &mut Snapshot| {
+            let mut tamper = |step: u64, state: &mut Snapshot| {
                 if step == 2 {
                     let word = &mut state.words_mut(array)[4 * 29 + 1];
                     *word = (f32::from_bits(*word) + by).to_bits();
                 }
             };
             let paths = Paths { cpu: false, threads: 1, devices: vec![gpu] };
-            let told = compare(&named, Span::Steps(3), &paths, &mut meddle).expect("a comparison");
+            let told = compare(&named, RunLength::Steps(3), &paths, &mut tamper).expect("a comparison");
             let [pair] = &told.pairs[..] else { panic!("{} pairs", told.pairs.len()) };
             assert!(!pair.promised && !pair.bit_equal && pair.differing_arrays.contains(&array.name()), "{pair:?}");
             assert_eq!((pair.within_tolerance, told.kept()), (kept, kept), "{} by {by}: {pair:?}", array.name());

@@ -10,7 +10,7 @@ use millpond_core::OwnedMemory;
 use millpond_core::layout::f32x4;
 use millpond_core::scene::{Dimension, Scene};
 use millpond_core::{Plan, Simd, Solver};
-use millpond_gpu::program::{Words, program};
+use millpond_gpu::program::{Intrinsics, program};
 use millpond_gpu::strict::validate;
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 
@@ -119,7 +119,7 @@ fn check(dimension: Dimension) {
         let plan = Plan::of(&known);
         if gpu.is_none() {
             for pass in plan.passes() {
-                let read = validate(&program(pass, &plan.model, Words::Native));
+                let read = validate(&program(pass, &plan.model, Intrinsics::Native));
                 assert!(read.is_ok(), "{name}, {}: {:?}", pass.name(), read.err());
             }
         } else {

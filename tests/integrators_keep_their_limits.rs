@@ -31,7 +31,7 @@ fn runs_grow_beyond_the_limit_of_theory_and_not_below() {
 
 #[test]
 fn the_limits_are_known_numbers() {
-    // undamped, and critically damped: S0's five stiffnesses lie between these
+    // undamped, and critically damped: Pirovano's five stiffnesses lie between these
     let known = [
         (Integrator::ModifiedVelocityVerlet, [2.0, 0.8284]),
         (Integrator::Euler, [0.0, 2.0]),
@@ -70,7 +70,7 @@ fn two_of_them_grow_at_small_steps_without_damping() {
 
 #[test]
 fn on_the_limit_what_grows_in_proportion_to_time_counts_as_stable() {
-    // S0's stiffest spring: a double root at -1
+    // Pirovano's stiffest spring: a double root at -1
     let scheme = Scheme::once(Integrator::SemiImplicitEuler);
     assert!(!grows::<Double>(scheme, 0.0, 2.0));
     assert!(grows::<Double>(scheme, 0.0, 2.001));

@@ -16,7 +16,7 @@ fn scene(name: &str) -> Scene {
     let mut scene = support::scaled(name, 400).file.scene;
     if name == "dam-break-2d" {
         scene.model.integrator = millpond_core::scene::Integrator::Beeman;
-        (scene.fluid.xsph, scene.model.thermal_energy) = (0.3, true);
+        (scene.fluid.xsph, scene.model.internal_energy) = (0.3, true);
     }
     if name == "elastic-cube" {
         scene.elasticity.plasticity = Some(millpond_core::scene::Plasticity { rate: 20.0, yield_strain: 0.001 });

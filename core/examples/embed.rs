@@ -1,7 +1,7 @@
 //! How a game embeds the fluid: memory lent once, a step a tick, particles handed to the renderer.
 //!
 //! `cargo run --release -p millpond-core --example embed`
-use millpond_core::scene::{Block, Container, Dimension, Fluid, Grid, ModelChoice, Scene};
+use millpond_core::scene::{Block, Container, Dimension, Fluid, Formulation, Grid, Scene};
 use millpond_core::{Serial, Solver, Storage};
 
 /// Room for 4096 particles in 32 x 32 x 1 cells. In a real game: a `static`, or a field of the world.
@@ -14,7 +14,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     scene.average_neighbours = 21.0;
     scene.gravity = [0.0, -9.81, 0.0];
     scene.container = Some(Container::closed([0.0; 3], [1.6, 1.2, 0.0]));
-    scene.model = ModelChoice { suction: false, ..ModelChoice::modern() };
+    scene.model = Formulation { negative_pressure: false, ..Formulation::modern() };
     scene.grid = Grid { cells: [32, 32, 1], ..Grid::default() };
     let mut pool = Pool::boxed();
     let mut fluid = Solver::new(&scene, pool.lend())?;

@@ -15,20 +15,20 @@ impl Solver<'_> {
     /// # Errors
     /// Fewer or more nodes than the scene says, or a value that is not finite; before the first step also one that makes
     /// accelerations that are no numbers. The field then stays as it was.
-    pub fn set_field(&mut self, nodes: &[f32x4]) -> Result<(), SceneError> {
-        let (given, expected) = (nodes.len(), self.memory.given.acceleration_field.len());
+    pub fn set_field(&mut self, points: &[f32x4]) -> Result<(), SceneError> {
+        let (given, expected) = (points.len(), self.memory.given.acceleration_field.len());
         if given != expected {
-            return Err(SceneError::WrongLength { call: "set_field", what: "nodes", given, expected });
+            return Err(SceneError::WrongLength { call: "set_field", what: "points", given, expected });
         }
-        if let Some(&value) = nodes.as_flattened().iter().find(|x| !x.is_finite()) {
+        if let Some(&value) = points.as_flattened().iter().find(|x| !x.is_finite()) {
             return Err(SceneError::NotFinite { field: "field", value });
         }
         let begins = self.steps == 0 && expected > 0;
         if begins {
             // the first step begins with the accelerations at the start
-            self.evaluate(Some(nodes))?;
+            self.evaluate(Some(points))?;
         }
-        self.memory.given.acceleration_field.copy_from_slice(nodes);
+        self.memory.given.acceleration_field.copy_from_slice(points);
         if begins {
             self.remember();
         }
@@ -42,7 +42,7 @@ impl Solver<'_> {
     ///
     /// # Errors
     /// A value that no scene can have. A term that the plan left out, where the scene does not list it in
-    /// [`Scene::live`](crate::scene::Scene::live). Before the first step also one that makes accelerations that are not finite. The fluid then is as it was.
+    /// [`Scene::adjustable`](crate::scene::Scene::adjustable). Before the first step also one that makes accelerations that are not finite. The fluid then is as it was.
     pub fn set_gravity(&mut self, gravity: [f32; 3]) -> Result<(), SceneError> {
         self.change(Change::Gravity(gravity))
     }

@@ -18,7 +18,7 @@ pub struct TimeReport {
     /// The next step, s.
     pub next: f32,
     /// Steps that were undone and made again, shorter.
-    pub redone: u32,
+    pub rejected_steps: u32,
     /// Steps that should have been shorter than the shortest allowed.
     pub held: u32,
 }
@@ -30,18 +30,18 @@ pub(crate) struct Clock {
     lost: f32,
     last: f32,
     wanted: f32,
-    redone: u32,
+    rejected_steps: u32,
     held: u32,
 }
 
 impl Clock {
     /// Before the first step: as long as the scene says, or as short as its state asks for.
     pub(crate) fn start(m: &Model, p: &Parameters, u: &mut StepUniform, maxima: Maxima) -> Clock {
-        if m.adaptive == 0 {
+        if m.is_adaptive == 0 {
             return Clock { last: u.time_step, wanted: u.time_step, ..Clock::default() };
         }
         let wanted = wanted(p, maxima);
-        let limits = Parameters { time_step_growth: 1.0, ..*p };
+        let limits = Parameters { max_time_step_growth: 1.0, ..*p };
         set_step(u, step_limited::<f32>(&limits, wanted, u.time_step));
         Clock { last: u.time_step, wanted, ..Clock::default() }
     }
@@ -50,10 +50,10 @@ impl Clock {
     pub(crate) fn after(&mut self, m: &Model, p: &Parameters, u: &mut StepUniform, maxima: Maxima) -> bool {
         let step = u.time_step;
         let mut wanted = step;
-        if m.adaptive == 1 {
+        if m.is_adaptive == 1 {
             wanted = self::wanted(p, maxima);
             let again = is_overlong::<f32>(p, wanted, step) > 0.0;
-            self.redone = self.redone.wrapping_add(u32::from(again));
+            self.rejected_steps = self.rejected_steps.wrapping_add(u32::from(again));
             self.held = self.held.wrapping_add(u32::from(!again && wanted < p.smallest_time_step));
             set_step(u, step_limited::<f32>(p, wanted, step));
             if again {
@@ -69,12 +69,12 @@ impl Clock {
 
     /// As it is saved: its two numbers, the last step and what it should have been; steps made again, steps held.
     pub(crate) fn to_record(self) -> ([f32; 4], [u32; 2]) {
-        ([self.time, self.lost, self.last, self.wanted], [self.redone, self.held])
+        ([self.time, self.lost, self.last, self.wanted], [self.rejected_steps, self.held])
     }
 
     /// As it was saved.
-    pub(crate) fn of_record([time, lost, last, wanted]: [f32; 4], [redone, held]: [u32; 2]) -> Clock {
-        Clock { time, lost, last, wanted, redone, held }
+    pub(crate) fn of_record([time, lost, last, wanted]: [f32; 4], [rejected_steps, held]: [u32; 2]) -> Clock {
+        Clock { time, lost, last, wanted, rejected_steps, held }
     }
 
     pub(crate) fn report(&self, u: &StepUniform) -> TimeReport {
@@ -83,7 +83,7 @@ impl Clock {
             time_step: self.last,
             wanted: self.wanted,
             next: u.time_step,
-            redone: self.redone,
+            rejected_steps: self.rejected_steps,
             held: self.held,
         }
     }
@@ -92,7 +92,7 @@ impl Clock {
     pub(crate) fn fill(&self, u: &StepUniform, status: &mut Status) {
         (status.clock, status.clock_lost) = (self.time, self.lost);
         (status.last_time_step, status.last_wanted) = (self.last, self.wanted);
-        (status.redone, status.held) = (self.redone, self.held);
+        (status.rejected_steps, status.held) = (self.rejected_steps, self.held);
         (status.time_step, status.half_time_step) = (u.time_step, u.half_time_step);
         status.first_time_step = u.time_step;
         status.inverse_time_step = u.inverse_time_step;
@@ -108,7 +108,7 @@ impl TimeReport {
             time_step: status.last_time_step,
             wanted: status.last_wanted,
             next: status.time_step,
-            redone: status.redone,
+            rejected_steps: status.rejected_steps,
             held: status.held,
         }
     }

@@ -2,7 +2,7 @@
 use crate::derive::Derived;
 use crate::error::SceneError;
 use crate::layout::{Materials, Model, Parameters, StepUniform};
-use crate::scene::{FLUIDS, Fluid, Integrator, Live, Scene, SurfaceTension, Viscosity, Wind};
+use crate::scene::{Adjustable, FLUIDS, Fluid, Integrator, Scene, SurfaceTension, Viscosity, Wind};
 
 /// A change between two steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,7 +98,7 @@ impl LiveScene {
     pub(crate) fn new(scene: &Scene, model: Model, [particles, first_air]: [u32; 2]) -> LiveScene {
         let mut scene = scene.clone();
         // where particles start is over and done with
-        scene.model.hydrostatic_start = false;
+        scene.model.initialize_hydrostatic = false;
         LiveScene { scene, model, particles, first_air }
     }
 
@@ -171,35 +171,35 @@ impl LiveScene {
 
     fn apply(&mut self, change: Change) -> Result<(), SceneError> {
         let m = self.model;
-        let kept = |runs: bool, live: Live| {
+        let kept = |runs: bool, live: Adjustable| {
             let [live, field] = live.names();
             if runs { Ok(()) } else { Err(SceneError::LeftOut { field, live }) }
         };
         match change {
             Change::Gravity(gravity) => {
                 self.scene.gravity = gravity;
-                kept(m.gravity == 1 || gravity == [0.0; 3], Live::Gravity)
+                kept(m.has_gravity == 1 || gravity == [0.0; 3], Adjustable::Gravity)
             }
             Change::Wind(wind) => {
                 self.scene.wind = wind;
-                kept(m.wind == 1 || wind.is_none_or(|wind| wind.drag == 0.0), Live::Wind)
+                kept(m.has_wind == 1 || wind.is_none_or(|wind| wind.drag == 0.0), Adjustable::Wind)
             }
             Change::TimeStep(time_step) => self.apply_time_step(time_step),
             Change::Viscosity(fluid, viscosity) => {
                 self.fluid("set_viscosity", fluid)?.dynamic_viscosity = viscosity;
                 let choice = self.scene.model.viscosity;
-                if matches!(choice, Viscosity::Artificial | Viscosity::Exchange) {
+                if matches!(choice, Viscosity::Artificial | Viscosity::VelocityExchange) {
                     let (choice, other) = ("set_viscosity", "model.viscosity Artificial or Exchange");
                     let why = "these have coefficients of their own, which stay as they are";
                     return Err(SceneError::NotTogether { choice, other, why });
                 }
-                kept(m.viscosity != 0 || viscosity == 0.0, Live::Viscosity)
+                kept(m.viscosity != 0 || viscosity == 0.0, Adjustable::Viscosity)
             }
             Change::SurfaceTension(fluid, tension) => {
                 self.fluid("set_surface_tension", fluid)?.surface_tension = tension;
                 // without a model of it the check says so
                 let has_model = self.scene.model.surface_tension != SurfaceTension::Off;
-                kept(m.tension != 0 || tension == 0.0 || !has_model, Live::SurfaceTension)
+                kept(m.tension != 0 || tension == 0.0 || !has_model, Adjustable::SurfaceTension)
             }
             Change::SpeedOfSound(fluid, speed) => {
                 if self.scene.stiffness_for_time_step.is_some() {

@@ -18,11 +18,11 @@ pub struct Particle {
     /// Pa.
     pub pressure: f32,
     /// J/kg; 0 where a scene keeps no account of it.
-    pub thermal_energy: f32,
+    pub internal_energy: f32,
     /// Does it belong to a wall?
     pub wall: bool,
     /// Is it air that is not there? Nothing else of it then means anything.
-    pub dormant: bool,
+    pub inactive: bool,
     /// Number of its fluid; of a wall's, of the one that it is like.
     pub fluid: u32,
     /// Inward normal of its fluid's surface, the gradient of its colour, 1/m; 0 where a scene finds none.
@@ -42,7 +42,7 @@ impl Solver<'_> {
             let slot = slot as usize;
             let [deviation, pressure, ..] = state.density_pressure[slot];
             let (position, velocity) = (vector(state.position[slot]), vector(state.velocity[slot]));
-            let [_, wall, rest, fluid] = self.kind(slot);
+            let [_, wall, rest, fluid] = self.properties_of(slot);
             let normal = state.normal.get(slot).map_or(Vec3::ZERO, |&normal| vector(normal));
             Particle {
                 id: id as u32,
@@ -50,9 +50,9 @@ impl Solver<'_> {
                 velocity,
                 density: (deviation + 1.0) * self.parameters().rest_density * rest,
                 pressure,
-                thermal_energy: state.internal_energy.get(slot).map_or(0.0, |heat| heat[0]),
+                internal_energy: state.internal_energy.get(slot).map_or(0.0, |heat| heat[0]),
                 wall: wall > 0.0 && wall < NOT_THERE,
-                dormant: wall >= NOT_THERE,
+                inactive: wall >= NOT_THERE,
                 fluid: fluid as u32,
                 normal,
                 curvature: if self.plan().model.has_curvature() { state.acceleration[slot][3] } else { 0.0 },
@@ -61,15 +61,15 @@ impl Solver<'_> {
         })
     }
 
-    /// What the kind of the particle in a slot has of its own (`Materials::species`).
-    pub(crate) fn kind(&self, slot: usize) -> f32x4 {
-        let kind = self.state().velocity[slot][3] as usize;
-        let known = if self.plan().model.species == 1 { kind.min(MATERIALS - 1) } else { 0 };
-        self.materials().species[known]
+    /// The properties of the material of the particle in a slot ([`Materials::properties`]).
+    pub(crate) fn properties_of(&self, slot: usize) -> f32x4 {
+        let material = self.state().velocity[slot][3] as usize;
+        let known = if self.plan().model.has_materials == 1 { material.min(MATERIALS - 1) } else { 0 };
+        self.materials().properties[known]
     }
 
     /// Does the particle in a slot belong to a wall, or is it air that is not there?
     pub(crate) fn is_wall(&self, slot: usize) -> bool {
-        self.kind(slot)[1] > 0.0
+        self.properties_of(slot)[1] > 0.0
     }
 }

@@ -50,7 +50,7 @@ impl Record {
             steady,
             clock: [status.clock, status.clock_lost, status.last_time_step, status.last_wanted],
             time_step,
-            counts: [status.redone, status.held],
+            counts: [status.rejected_steps, status.held],
             correction: CorrectionReport {
                 iterations: status.last_iterations,
                 total_iterations: u64::from(status.total_iterations),
@@ -105,7 +105,7 @@ pub(crate) fn fingerprint(
 ) -> u64 {
     let Counts { particles, spring_ends, air, field_nodes, cells: _ } = requirements.counts;
     let counts = [particles, spring_ends, air, field_nodes, plan.iterations() as usize];
-    let cells = if plan.model.half_stencil == 1 { parameters.cells } else { [0; 4] };
+    let cells = if plan.model.is_half_stencil == 1 { parameters.cells } else { [0; 4] };
     let (model, parameters) = (Model { cell_places: 0, ..plan.model }, Parameters { cells, ..*parameters });
     let structs = [bytemuck::bytes_of(&model), bytemuck::bytes_of(&parameters), bytemuck::bytes_of(materials)];
     let words = structs.into_iter().flat_map(|bytes| bytemuck::cast_slice::<u8, u32>(bytes).iter().copied());

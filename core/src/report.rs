@@ -7,7 +7,7 @@ use crate::memory::{Arrays, Sorting};
 use crate::passes::b_sort::count::count;
 use crate::passes::b_sort::scan::scan;
 use crate::passes::b_sort::scatter::scatter;
-use crate::passes::lanes::{is_dormant, kind};
+use crate::passes::lanes::{is_inactive, material_of};
 use crate::passes::lists::{ListReport, Lists};
 use crate::solver::Solver;
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
@@ -39,10 +39,10 @@ pub struct Energies {
     pub elastic: f64,
 }
 
-/// How far things come in a step: what [`Adaptive`](crate::scene::Adaptive) limits, on the support radius H.
+/// How far things come in a step: what [`AdaptiveTimeStep`](crate::scene::AdaptiveTimeStep) limits, on the support radius H.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Courant {
-    /// `v dt / H` of the fastest particle (S0 eq. 2.41; S1 section 6.6.2).
+    /// `v dt / H` of the fastest particle (Pirovano eq. 2.41; Hinsch 2024, section 6.6.2).
     pub speed: f64,
     /// `dt sqrt(a / H)` of the one that is accelerated most.
     pub acceleration: f64,
@@ -65,7 +65,7 @@ impl Solver<'_> {
     /// What became of the coat of air; all zero where a scene has none.
     #[must_use]
     pub fn air(&self) -> AirReport {
-        if self.plan().model.air == 0 {
+        if self.plan().model.has_air == 0 {
             return AirReport::default();
         }
         let first = self.parameters().first_air as usize;
@@ -83,7 +83,7 @@ impl Solver<'_> {
         let speed2 = largest(&|slot| bounded_square(vec3::<f32>::splat(state.velocity[slot])));
         let acceleration2 = largest(&|slot| bounded_square(vec3::<f32>::splat(state.acceleration[slot])));
         let sound = largest(&|slot| {
-            let [.., sound, equation] = self.materials().states[kind(state.velocity[slot][3])];
+            let [.., sound, equation] = self.materials().states[material_of(state.velocity[slot][3])];
             bounded_sound::<f32>(m, state.density_pressure[slot][0], sound, equation)
         });
         let (dt, support) = (f64::from(time_step), f64::from(p.support));
@@ -115,11 +115,11 @@ impl Solver<'_> {
     pub fn energies(&self) -> Energies {
         let (slots, state, p) = (self.slots(), self.state(), self.parameters());
         let dot = |a: f32x4, b: f32x4| (0..3).map(|i| f64::from(a[i]) * f64::from(b[i])).sum::<f64>();
-        let lift = |slot: usize| 1.0 - f64::from(p.ambient_ratio) / f64::from(self.kind(slot)[2]);
+        let lift = |slot: usize| 1.0 - f64::from(p.ambient_ratio) / f64::from(self.properties_of(slot)[2]);
         let sum = |energy: &dyn Fn(usize) -> f64| {
             let of = |id: usize| {
                 let slot = slots[id] as usize;
-                let [_, _, rest, _] = self.kind(slot);
+                let [_, _, rest, _] = self.properties_of(slot);
                 let mass = f64::from(state.position[slot][3]) * f64::from(p.particle_mass) * f64::from(rest);
                 if self.is_wall(slot) { 0.0 } else { mass * energy(slot) }
             };
@@ -142,7 +142,7 @@ impl Solver<'_> {
     /// The same, of slots.
     pub(crate) fn visit_pairs(&mut self, mut visit: impl FnMut(&Solver<'_>, usize, usize)) {
         let (p, m) = (*self.parameters(), self.plan().model);
-        let layers = m.layers as i32;
+        let layers = m.is_3d as i32;
         self.sort_again();
         let state = self.state();
         let scratch = &self.memory.scratch;
@@ -187,7 +187,7 @@ impl Solver<'_> {
         let cells = Cells { start: scratch.cell_start, counter: scratch.grid_cell_counters };
         let full = (0..cells.start.len()).filter(|&cell| cells.counter[cell] > 0 && !is_limbo(&m, &p, cell));
         let tested = |cell: usize| {
-            let around = Stencil::around(&p, m.layers as i32, cells, cell).runs().map(|run| run.len()).sum::<usize>();
+            let around = Stencil::around(&p, m.is_3d as i32, cells, cell).runs().map(|run| run.len()).sum::<usize>();
             u64::from(cells.counter[cell]) * around as u64
         };
         full.map(tested).sum()
@@ -221,7 +221,7 @@ impl Solver<'_> {
         let (materials, scratch) = (&self.constants.materials, &mut self.memory.scratch);
         let Sorting { source_slot, cell: cells, rank, .. } = Sorting::of(scratch.neighbours, state.id.len());
         for ((cell, x), v) in cells.iter_mut().zip(state.position.iter()).zip(state.velocity.iter()) {
-            if m.air == 1 && is_dormant(materials, v[3]) {
+            if m.has_air == 1 && is_inactive(materials, v[3]) {
                 *cell = p.cells[3] - 1;
                 continue;
             }

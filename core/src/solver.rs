@@ -317,7 +317,7 @@ impl<'m> Solver<'m> {
     /// Simulated time, s.
     #[must_use]
     pub fn time(&self) -> f64 {
-        if self.plan.model.adaptive == 1 {
+        if self.plan.model.is_adaptive == 1 {
             return self.clock.report(&self.constants.step).time;
         }
         self.steady.after(self.steps, self.constants.step.time_step)

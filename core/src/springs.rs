@@ -24,7 +24,7 @@ pub struct Spring {
 impl Solver<'_> {
     /// Joins the particles of each elastic fluid that are within reach of each other.
     pub(crate) fn join(&mut self, checked: &Checked<'_>) -> Result<(), SceneError> {
-        if self.plan().model.springs == 0 {
+        if self.plan().model.has_springs == 0 {
             return Ok(());
         }
         let bonds = Bonds::of(checked, checked.derived(), self.plan().model);
@@ -51,7 +51,7 @@ impl Solver<'_> {
 
     /// The particle in a slot, as springs see it.
     fn end(&self, slot: usize) -> End {
-        (self.state().position[slot], self.kind(slot))
+        (self.state().position[slot], self.properties_of(slot))
     }
 
     /// The springs that hold, each once.
@@ -69,13 +69,13 @@ impl Solver<'_> {
         let slot = |id: u32| self.slots()[id as usize] as usize;
         let position = |id: u32| state.position[slot(id)];
         energy(self.plan(), self.parameters(), (self.memory.given.spring_ranges, self.spring_ends()), |id| {
-            (position(id), self.kind(slot(id))[2])
+            (position(id), self.properties_of(slot(id))[2])
         })
     }
 }
 
 /// Energy of springs, J (per metre of depth in 2D), where `particle` has the position of each particle by id, its mass in w, and the
-/// rest density of its fluid over the first one's. A spring is as stiff as half of `k`: `k / 4 (r - L0)^2` (S0 eq. 2.26 per errata).
+/// rest density of its fluid over the first one's. A spring is as stiff as half of `k`: `k / 4 (r - L0)^2` (Pirovano eq. 2.26, corrected).
 pub fn energy(
     plan: &Plan,
     p: &Parameters,

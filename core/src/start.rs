@@ -88,15 +88,15 @@ impl Solver<'_> {
             if let Some((_, quantity)) = quantities.into_iter().find(|(of, _)| !of.iter().all(|x| x.is_finite())) {
                 return Err(SceneError::ParticleNotFinite { particle: slot as u32, quantity });
             }
-            let (masses, species) = (self.plan.model.masses == 1, self.plan.model.species == 1);
+            let (masses, properties) = (self.plan.model.has_variable_mass == 1, self.plan.model.has_materials == 1);
             let material = material_of(place.material, scene);
             let of_coat = scene.air.is_some() && slot >= self.constants.parameters.first_air as usize;
             let fits = match material {
-                Some(Material::Dormant) => of_coat,
+                Some(Material::Inactive) => of_coat,
                 Some(_) => !of_coat || scene.air.is_some_and(|air| air.fluid == place.material),
                 None => false,
             };
-            if !fits || (place.material > 0 && !species) || (place.mass != 1.0 && !masses) {
+            if !fits || (place.material > 0 && !properties) || (place.mass != 1.0 && !masses) {
                 return Err(SceneError::UnplannedParticle { particle: slot as u32 });
             }
             if !(place.mass > 0.0 && place.mass.is_finite()) {
@@ -108,8 +108,8 @@ impl Solver<'_> {
             state.density_pressure[slot] = [place.deviation, place.pressure, 0.0, 0.0];
             if let Some(heat) = state.internal_energy.get_mut(slot) {
                 let energy = match material {
-                    Some(Material::Fluid(fluid)) => scene.fluid_of(fluid).thermal_energy,
-                    Some(Material::Dormant) => self.constants.parameters.air_heat,
+                    Some(Material::Fluid(fluid)) => scene.fluid_of(fluid).internal_energy,
+                    Some(Material::Inactive) => self.constants.parameters.air_heat,
                     _ => 0.0,
                 };
                 *heat = [energy, 0.0, 0.0, 0.0];

@@ -2,7 +2,7 @@
 //! how much memory it needs. A call with the wrong number of entries says so. (That a refusal names the field is for
 //! `tests/extremes_end_well.rs`.)
 use millpond_core::scene::{
-    Air, Block, Container, Dimension, Elasticity, FieldLattice, Fluid, Grid, Periodic, Scene, SupportRange, Wall,
+    AccelerationField, Air, Block, Container, Dimension, Elasticity, Fluid, Grid, Periodic, Scene, SupportRange, Wall,
     WallShape,
 };
 use millpond_core::{Axis, Plan, Requirements, SceneError, Solver, StepError, Storage};
@@ -28,7 +28,7 @@ const CHANGES: [Change; 18] = [
     |s, x| s.elasticity = Elasticity { reach: x, capacity: Some(x as u32), ..s.elasticity },
     |s, x| s.periodic = Some(Periodic { low: [0.0; 3], high: [x; 3], axes: [true; 3] }),
     |s, x| s.model.variable_support = Some(SupportRange { smallest: 1.0, largest: x }),
-    |s, x| s.field = Some(FieldLattice { low: [0.0; 3], spacing: 1.0, counts: [x as u32; 3] }),
+    |s, x| s.acceleration_field = Some(AccelerationField { low: [0.0; 3], spacing: 1.0, counts: [x as u32; 3] }),
     |s, x| s.grid.cells = [x as u32; 3],
     |s, x| s.air = Some(Air { fluid: 1, capacity: x as u32, threshold: 1.0, minimum_density: 0.5 }),
     |s, x| {
@@ -44,7 +44,7 @@ fn scene(dimension: Dimension) -> Scene {
     scene.other_fluids = [Fluid::default()].into_iter().collect();
     scene.blocks = [block, block].into_iter().collect();
     scene.container = Some(Container::closed([0.0; 3], [1.0; 3]));
-    scene.model.calibrated_mass = true;
+    scene.model.normalize_mass = true;
     scene.grid = Grid { cells: [8; 3], ..Grid::default() };
     scene
 }
@@ -84,8 +84,8 @@ fn errors_say_what_is_wrong() {
     let nobody = Solver::with_particles(&scene, Plan::of(&scene), 2, [], storage.lend()).err();
     // springs come with memory of their own, which a bare storage has not
     assert!(matches!(nobody, Some(SceneError::CapacityExceeded { .. })), "{nobody:?}");
-    let error = SceneError::WrongLength { call: "set_field", what: "nodes", given: 5, expected: 8 };
-    assert_eq!(error.to_string(), "`set_field` got 5 nodes, expected 8");
+    let error = SceneError::WrongLength { call: "set_field", what: "points", given: 5, expected: 8 };
+    assert_eq!(error.to_string(), "`set_field` got 5 points, expected 8");
     let error = SceneError::EmptyBlock { block: 0, axis: Axis::Z, size: 0.1 };
     assert_eq!(error.to_string(), "blocks[0].size is 0.1 m along z: less than half a particle_spacing");
     let error = StepError::OutOfRange { particle: 3, axis: Axis::Y, step: 7 };

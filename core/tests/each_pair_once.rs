@@ -2,7 +2,7 @@
 //! rounding of such sums, whatever forms a scene chooses, and momentum strays by no more than rounding. Its bits are its own, and the same at
 //! every level, on any number of threads, with either structure of the grid, and however many particles a cell holds.
 use millpond_core::scene::{
-    Block, DensityForm, Dimension, Fluid, Grid, GridStructure, InitialParticle, Kernel, ModelChoice, NearPressure,
+    Block, DensityForm, Dimension, Fluid, Formulation, Grid, GridStructure, InitialParticle, Kernel, NearPressure,
     Periodic, PressureForce, Scene, Traversal, Viscosity,
 };
 use millpond_core::{Checked, OwnedMemory, Pass, Plan, Requirements, Serial, Simd, Solver};
@@ -73,7 +73,7 @@ fn evaluated(scene: &Scene, places: &[InitialParticle], plan: fn(&Checked<'_>) -
     let plan = plan(&scene);
     assert_eq!(
         plan.passes().any(|pass| pass == Pass::Neighbours),
-        plan.model.half_stencil == 0 && !plan.model.sums_distances()
+        plan.model.is_half_stencil == 0 && !plan.model.sums_distances()
     );
     let mut heap = OwnedMemory::with(&Requirements::by_plan(&scene, &plan).for_particles(places.len()));
     let solver = Solver::with_particles(&scene, plan, places.len(), places.iter().copied(), heap.lend());
@@ -114,7 +114,7 @@ fn collision(light: Option<f32>) -> Scene {
         other.fluid = 1;
     }
     scene.blocks.push(other).expect("room for a block");
-    scene.model.near_pressure = NearPressure::Article;
+    scene.model.near_pressure = NearPressure::DoubleDensity;
     scene.grid = Grid { cells: [8; 3], ..Grid::default() };
     scene
 }
@@ -127,9 +127,9 @@ fn it_computes_what_the_full_stencil_does() {
     for light in [None, Some(700.0)] {
         for &density in DensityForm::ALL.iter().filter(|form| !stepped(form)) {
             for &pressure_force in PressureForce::ALL.iter().filter(|force| !one_sided(force)) {
-                for &viscosity in Viscosity::ALL.iter().filter(|form| **form != Viscosity::Exchange) {
+                for &viscosity in Viscosity::ALL.iter().filter(|form| **form != Viscosity::VelocityExchange) {
                     let mut scene = collision(light);
-                    scene.model = ModelChoice { density, pressure_force, viscosity, ..scene.model };
+                    scene.model = Formulation { density, pressure_force, viscosity, ..scene.model };
                     scene.model.viscosity_kernel = Kernel::CubicSpline;
                     scene.fluid.alpha = 0.5;
                     let half = half(&scene);

@@ -29,7 +29,7 @@ fn of_a_scene() {
             WallExtent { wall: 2, axis, size: 0.5 },
             "walls[2] is 0.5 m along y: give a plane 0 m across, and at least half a particle_spacing along all else",
         ),
-        (TooFewNodes { axis, nodes: 1 }, "field.counts has 1 along y, and must have at least 2"),
+        (TooFewPoints { axis, points: 1 }, "acceleration_field.counts has 1 along y, and must have at least 2"),
         (
             NoSuchFluid { field: "air.fluid", fluid: 2, fluids: 2 },
             "air.fluid names fluid 2, and the scene has 2, counted from 0",
@@ -93,7 +93,7 @@ fn of_a_step() {
         (
             StepError::NoTimeStep { attempts: 64, step: 9 },
             "step 9 was made 64 times, each shorter than the one before, and is still too long: increase \
-             adaptive.redo_above or adaptive.smallest",
+             adaptive.reject_ratio or adaptive.smallest",
         ),
         (
             StepError::NotFinite { particle: 7, quantity: Quantity::Density, step: 9 },

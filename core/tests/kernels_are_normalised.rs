@@ -23,7 +23,7 @@ fn ball(d: usize, f: impl Fn(f32) -> f32) -> f64 {
 }
 
 fn model(d: usize) -> Model {
-    Model { layers: u32::from(d == 3), ..bytemuck::Zeroable::zeroed() }
+    Model { is_3d: u32::from(d == 3), ..bytemuck::Zeroable::zeroed() }
 }
 
 #[test]
@@ -44,7 +44,7 @@ fn every_kernel_integrates_to_one() {
 
 #[test]
 fn constants_are_the_literatures() {
-    // 1D, 2D, 3D, of W = c / H^d w(q) with the terms' w; S1 section 4.1 for the spline, whose H is 2 h
+    // 1D, 2D, 3D, of W = c / H^d w(q) with the terms' w; Hinsch 2024, section 4.1 for the spline, whose H is 2 h
     let known = [
         (Kernel::CubicSpline, [1.0 / 6.0 * 2.0, 5.0 / (14.0 * PI) * 4.0, 1.0 / (4.0 * PI) * 8.0]),
         (Kernel::Poly6, [35.0 / 32.0, 4.0 / PI, 315.0 / (64.0 * PI)]),
@@ -111,10 +111,10 @@ fn every_kernel_falls_to_zero_at_the_support() {
 
 #[test]
 fn the_near_kernel_is_spikys_with_the_next_power() {
-    // errata of S0 section 3.1: 45 / (pi H^4) in 3D and 30 / (pi H^3) in 2D, for the slope (1 - q)^3
+    // errata of Pirovano, section 3.1: 45 / (pi H^4) in 3D and 30 / (pi H^3) in 2D, for the slope (1 - q)^3
     assert_relative_eq!(near_slope_constant(3), 45.0 / PI, max_relative = 1e-13);
     assert_relative_eq!(near_slope_constant(2), 30.0 / PI, max_relative = 1e-13);
-    assert_relative_eq!(millpond_core::terms::near::near_slope_thesis(0.5f32), 0.125);
+    assert_relative_eq!(millpond_core::terms::near::near_slope_proportional(0.5f32), 0.125);
 }
 
 #[test]

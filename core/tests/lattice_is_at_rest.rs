@@ -1,7 +1,7 @@
-//! Promise: the lattice tests of S1 section 6.1 hold, in 2D and in 3D: kernel values and gradients at lattice distances,
+//! Promise: the lattice tests of Hinsch 2024, section 6.1 hold, in 2D and in 3D: kernel values and gradients at lattice distances,
 //! sums over an 11 x 11 lattice, neighbour counts, density and pressure at rest.
 //!
-//! S1's kernel is the cubic spline with support 2 h, h being the spacing, so the support radius here is 2 spacings.
+//! Hinsch's kernel is the cubic spline with support 2 h, h being the spacing, so the support radius here is 2 spacings.
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use millpond_core::arithmetic::real::vec3;
 use millpond_core::derive::support_radius;
@@ -14,10 +14,10 @@ use std::f64::consts::PI;
 mod support;
 use support::{at_rest, heap_for};
 
-/// Spacing, in metres; S1's h.
+/// Spacing, in metres; Hinsch's h.
 const H: f64 = 0.1;
 
-/// The lattice's scene with this support radius, in spacings: Tait's water at rest, by S1's kernel.
+/// The lattice's scene with this support radius, in spacings: Tait's water at rest, by Hinsch's kernel.
 fn lattice_scene(dimension: Dimension, support: f64) -> Scene {
     let n = if dimension == Dimension::Two { PI * support.powi(2) } else { 4.0 / 3.0 * PI * support.powi(3) };
     let water = Fluid { speed_of_sound: 22.0, dynamic_viscosity: 5.0, ..Fluid::default() };
@@ -39,18 +39,18 @@ fn lattice(dimension: Dimension) -> Vec<[f32; 3]> {
     layers.flat_map(|z| (-5..=5).flat_map(move |y| (-5..=5).map(move |x| [at(x), at(y), at(z)]))).collect()
 }
 
-/// The two dimensions, with the constant of S1's kernel in each: 5 / (14 pi h^2), and its 3D twin 1 / (4 pi h^3).
+/// The two dimensions, with the constant of Hinsch's kernel in each: 5 / (14 pi h^2), and its 3D twin 1 / (4 pi h^3).
 fn dimensions() -> [(Dimension, f64); 2] {
     [(Dimension::Two, 5.0 / (14.0 * PI * H * H)), (Dimension::Three, 1.0 / (4.0 * PI * H * H * H))]
 }
 
-/// S1's W, from the term; its support is 2 h.
+/// Hinsch's W, from the term; its support is 2 h.
 fn w(dimension: Dimension, r: f64) -> f64 {
     let constant = Kernel::CubicSpline.normalisation(dimension.count()) / (2.0 * H).powi(dimension.count() as i32);
     constant * f64::from(cubic_spline_w((r / (2.0 * H)) as f32))
 }
 
-/// Size of S1's gradient of W, from the term.
+/// Size of Hinsch's gradient of W, from the term.
 fn slope(dimension: Dimension, r: f64) -> f64 {
     let constant = Kernel::CubicSpline.normalisation(dimension.count()) / (2.0 * H).powi(dimension.count() as i32 + 1);
     constant * f64::from(cubic_spline_slope((r / (2.0 * H)) as f32))
@@ -75,7 +75,7 @@ fn gradients_at_lattice_distances() {
     for (dimension, alpha) in dimensions() {
         assert_eq!(slope(dimension, 0.0), 0.0);
         assert_relative_eq!(slope(dimension, H), 3.0 * alpha / H, max_relative = 1e-6);
-        // along each axis of the diagonal: S1's alpha beta / (h sqrt 2), beta = -3 (2 - sqrt 2)^2; and with sqrt 3
+        // along each axis of the diagonal: Hinsch's alpha beta / (h sqrt 2), beta = -3 (2 - sqrt 2)^2; and with sqrt 3
         for diagonal in [2f64.sqrt(), 3f64.sqrt()] {
             let beta = 3.0 * (2.0 - diagonal).powi(2);
             let expected = alpha * beta / (H * diagonal);
@@ -88,7 +88,7 @@ fn gradients_at_lattice_distances() {
 fn sums_over_the_lattice() {
     for (dimension, alpha) in dimensions() {
         let volume = H.powi(dimension.count() as i32);
-        // what the sum must be: S1's 1 to within the 8.6e-4 of its kernel on the square lattice, and its 3D twin
+        // what the sum must be: Hinsch's 1 to within the 8.6e-4 of its kernel on the square lattice, and its 3D twin
         let neighbours = if dimension == Dimension::Two { [4.0, 4.0, 0.0] } else { [6.0, 12.0, 8.0] };
         let at = |d: f64| (2.0 - d).powi(3);
         let [edge, face, corner] = neighbours;
@@ -118,7 +118,7 @@ fn sums_over_the_lattice() {
 
 #[test]
 fn neighbours_of_the_middle_particle() {
-    // S1 section 6.1.2 for the plane; in space, the lattice points with |n|^2 up to 1, 3 and 4
+    // Hinsch 2024, section 6.1.2 for the plane; in space, the lattice points with |n|^2 up to 1, 3 and 4
     let expected =
         [(Dimension::Two, [(2.1, 13), (1.9, 9), (1.1, 5)]), (Dimension::Three, [(2.1, 33), (1.9, 27), (1.1, 7)])];
     for (dimension, counts) in expected {
@@ -158,7 +158,7 @@ fn density_and_pressure_at_rest() {
         // 57 single-precision terms
         assert_relative_eq!(f64::from(middle.density) / 1000.0, lattice_sum, max_relative = 2e-6);
         if dimension == Dimension::Two {
-            // S1's own claim, to the 8.6e-4 that the lattice sum allows
+            // Hinsch's own claim, to the 8.6e-4 that the lattice sum allows
             assert_abs_diff_eq!(lattice_sum, 1.0, epsilon = 8.7e-4);
         }
         // Tait at that density; it multiplies the rounding of density by 7 c0^2 rho0 / 7, so 22^2 * 1000 * 2e-6 Pa

@@ -65,7 +65,7 @@ fn memory_that_is_too_small() {
     );
     // and what a storage has no name for is looked for in an arena
     let mut warm = scene.clone();
-    warm.model.thermal_energy = true;
+    warm.model.internal_energy = true;
     warm.grid.structure = GridStructure::IndexSort;
     let mut storage: Box<Storage<4096, 32_768>> = Storage::boxed();
     let beside = Requirements::of(&checked(&warm)).arena_bytes_beside_storage();
@@ -102,7 +102,7 @@ fn scenes_that_cannot_be() {
     assert_eq!(field(refused(&|s| s.fluid.near_stiffness = Some(-1.0))), "fluid.near_stiffness");
     assert_eq!(field(refused(&|s| s.blocks[0].size[0] = 0.0)), "blocks.size");
     assert_eq!(field(refused(&|s| s.blocks[0].corner[2] = f32::INFINITY)), "blocks.corner");
-    assert_eq!(field(refused(&|s| s.container.as_mut().expect("a box").bounce = 1.5)), "container.bounce");
+    assert_eq!(field(refused(&|s| s.container.as_mut().expect("a box").restitution = 1.5)), "container.restitution");
     assert_eq!(field(refused(&|s| s.container.as_mut().expect("a box").slip = -0.1)), "container.slip");
     // lengths whose fourth power is no f32
     let tiny = refused(&|s| (s.particle_spacing, s.blocks[0].size) = (1e-12, [1e-12; 3]));

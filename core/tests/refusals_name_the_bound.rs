@@ -1,6 +1,7 @@
 //! Promise: a number out of its bounds is refused by the name of its field, with its value and the bound; one within them is not.
 use millpond_core::scene::{
-    Block, Correction, Dimension, Face, FieldLattice, Fluid, Periodic, Plasticity, Scene, SupportRange, Wall, WallShape,
+    AccelerationField, Block, Correction, Dimension, Face, Fluid, Periodic, Plasticity, Scene, SupportRange, Wall,
+    WallShape,
 };
 use millpond_core::{Axis, SceneError, Solver};
 
@@ -30,8 +31,9 @@ fn numbers_out_of_bounds() {
     let plasticity = Some(Plasticity { rate: 2000.0, yield_strain: 0.1 });
     let result = scene(|s| (s.fluid.elastic_stiffness, s.elasticity.plasticity) = (10.0, plasticity));
     assert!(matches!(result, Err(SceneError::OutOfBounds { field: "elasticity.plasticity.rate", .. })), "{result:?}");
-    let result = scene(|s| s.field = Some(FieldLattice { low: [0.0; 3], spacing: 0.1, counts: [4, 1, 4] }));
-    assert_eq!(result, Err(SceneError::TooFewNodes { axis: Axis::Y, nodes: 1 }));
+    let result =
+        scene(|s| s.acceleration_field = Some(AccelerationField { low: [0.0; 3], spacing: 0.1, counts: [4, 1, 4] }));
+    assert_eq!(result, Err(SceneError::TooFewPoints { axis: Axis::Y, points: 1 }));
     let axes = [false, true, false];
     let result = scene(|s| s.periodic = Some(Periodic { low: [0.0; 3], high: [1.0, 0.0, 1.0], axes }));
     assert_eq!(result, Err(SceneError::EmptyDomain { axis: Axis::Y, low: 0.0, high: 0.0 }));

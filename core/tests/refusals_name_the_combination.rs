@@ -3,9 +3,9 @@
 //! The sentences stand here word for word: a host shows them to those who write scenes.
 use millpond_core::SceneError;
 use millpond_core::scene::{
-    Adaptive, Air, DensityForm, EquationOfState, Evaluation, Face, Fluid, GridStructure, Integrator, Iteration, Kernel,
-    ModelChoice, NearPressure, PressureForce, PressureSolver, Scene, SupportRange, SurfaceTension, Traversal,
-    Viscosity, Wall, WallShape,
+    AdaptiveTimeStep, Air, DensityForm, EquationOfState, Evaluation, Face, Fluid, Formulation, GridStructure,
+    Integrator, Iteration, Kernel, NearPressure, PressureForce, PressureSolver, Scene, SupportRange, SurfaceTension,
+    Traversal, Viscosity, Wall, WallShape,
 };
 
 #[path = "support/judged.rs"]
@@ -35,7 +35,7 @@ fn formulas_by_name() {
     );
     refused(
         "model.variable_support does not go with model.evaluation from tables: a table is made for one \
-         support (S0 section 4.2.3)",
+         support (Pirovano, section 4.2.3)",
         |s| {
             s.model.evaluation = Evaluation::Table;
             s.model.variable_support = Some(SupportRange { smallest: 0.9, largest: 1.1 });
@@ -62,17 +62,17 @@ fn formulas_by_name() {
     );
     refused(
         "model.pressure_solver PressureCorrection does not go with a canonical model.pressure_force, \
-         one of Mueller's or one on S4's number density: its iteration takes the whole gradient (S0 \
+         one of Mueller's or one on Gourlay's number density: its iteration takes the whole gradient (Pirovano \
          section 3.2.2)",
         |s| {
             s.model.pressure_solver = PressureSolver::PressureCorrection;
         },
     );
     refused(
-        "model.thermal_energy does not go with a canonical or difference model.pressure_force: its pairs \
+        "model.internal_energy does not go with a canonical or difference model.pressure_force: its pairs \
          do not act on each other alike, so their work is nobody's",
         |s| {
-            (s.model.thermal_energy, s.model.pressure_force) = (true, PressureForce::Difference);
+            (s.model.internal_energy, s.model.pressure_force) = (true, PressureForce::Difference);
         },
     );
 }
@@ -80,21 +80,21 @@ fn formulas_by_name() {
 #[test]
 fn starts_and_surroundings_by_name() {
     refused(
-        "model.hydrostatic_start does not go with an equation_of_state IdealGas: a gas has no surface to \
+        "model.initialize_hydrostatic does not go with an equation_of_state IdealGas: a gas has no surface to \
          measure depth from",
         |s| {
-            (s.model.hydrostatic_start, s.model.equation_of_state) = (true, EquationOfState::IdealGas);
+            (s.model.initialize_hydrostatic, s.model.equation_of_state) = (true, EquationOfState::IdealGas);
         },
     );
     refused(
-        "model.hydrostatic_start does not go with model.density NumberDensity: masses that differ change \
+        "model.initialize_hydrostatic does not go with model.density NumberDensity: masses that differ change \
          no number",
         |s| {
-            (s.model.hydrostatic_start, s.model.density) = (true, DensityForm::NumberDensity);
+            (s.model.initialize_hydrostatic, s.model.density) = (true, DensityForm::NumberDensity);
         },
     );
-    refused("model.hydrostatic_start does not go with no gravity: there is no weight to hold", |s| {
-        s.model.hydrostatic_start = true;
+    refused("model.initialize_hydrostatic does not go with no gravity: there is no weight to hold", |s| {
+        s.model.initialize_hydrostatic = true;
         s.gravity = [0.0; 3];
     });
     assert_eq!(scene(air), Ok(()));
@@ -136,10 +136,10 @@ fn starts_and_surroundings_by_name() {
         },
     );
     refused(
-        "model.hydrostatic_start does not go with an ambient_density as large as the fluid's: its surface \
+        "model.initialize_hydrostatic does not go with an ambient_density as large as the fluid's: its surface \
          would be at the other end",
         |s| {
-            (s.model.hydrostatic_start, s.ambient_density) = (true, 1000.0);
+            (s.model.initialize_hydrostatic, s.ambient_density) = (true, 1000.0);
         },
     );
 }
@@ -151,7 +151,7 @@ fn properties_of_fluids_by_name() {
          that equation",
         |s| {
             s.fluid.stiffness = Some(1000.0);
-            s.model.equation_of_state = EquationOfState::Desbrun;
+            s.model.equation_of_state = EquationOfState::Linear;
         },
     );
     refused("fluid.stiffness does not go with model.pressure_solver PressureCorrection: nothing would use it", |s| {
@@ -174,7 +174,7 @@ fn properties_of_fluids_by_name() {
         |s| {
             let _ = s.other_fluids.push(Fluid {
                 stiffness: Some(1000.0),
-                equation_of_state: Some(EquationOfState::Desbrun),
+                equation_of_state: Some(EquationOfState::Linear),
                 ..Fluid::default()
             });
         },
@@ -210,7 +210,7 @@ fn properties_of_fluids_by_name() {
 fn integrators_by_name() {
     use Integrator::*;
     let changing = |integrator: Integrator| {
-        move |s: &mut Scene| (s.adaptive, s.model.integrator) = (Some(Adaptive::default()), integrator)
+        move |s: &mut Scene| (s.adaptive, s.model.integrator) = (Some(AdaptiveTimeStep::default()), integrator)
     };
     for &integrator in Integrator::ALL {
         if integrator.allows_changing_steps() {
@@ -262,19 +262,25 @@ fn integrators_by_name() {
         },
     );
     let exchanges: [fn(&mut Scene); 2] =
-        [|s| s.model.viscosity = Viscosity::Exchange, |s| s.fluid.radial_exchange = 0.1];
+        [|s| s.model.viscosity = Viscosity::VelocityExchange, |s| s.fluid.radial_exchange = 0.1];
     for exchange in exchanges {
         refused(
             "adaptive does not go with exchanges of velocity: their shares are of a step, so that with its \
          length the viscosity would change",
             |s| {
-                s.adaptive = Some(Adaptive::default());
+                s.adaptive = Some(AdaptiveTimeStep::default());
                 exchange(s);
             },
         );
     }
     refused("adaptive does not go with no criterion: there is nothing for the time step to follow", |s| {
-        let idle = Adaptive { speed: None, acceleration: None, sound: None, viscosity: None, ..Adaptive::default() };
+        let idle = AdaptiveTimeStep {
+            speed: None,
+            acceleration: None,
+            sound: None,
+            viscosity: None,
+            ..AdaptiveTimeStep::default()
+        };
         s.adaptive = Some(idle);
     });
 }
@@ -285,7 +291,7 @@ fn what_follows_from_a_time_step_by_name() {
         "stiffness_for_time_step does not go with adaptive: either the stiffness follows from the time \
          step or the time step from the stiffness",
         |s| {
-            (s.stiffness_for_time_step, s.adaptive) = (Some(0.2), Some(Adaptive::default()));
+            (s.stiffness_for_time_step, s.adaptive) = (Some(0.2), Some(AdaptiveTimeStep::default()));
         },
     );
     refused("stiffness_for_time_step does not go with fluid.stiffness: it already says how stiff", |s| {
@@ -339,7 +345,7 @@ fn a_literal_iteration_that_cannot_converge() {
 
 #[test]
 fn the_modern_choice_is_one() {
-    assert_eq!(scene(|s| s.model = ModelChoice::modern()), Ok(()));
+    assert_eq!(scene(|s| s.model = Formulation::modern()), Ok(()));
 }
 
 #[test]
@@ -350,7 +356,7 @@ fn what_the_half_stencil_cannot_do_by_name() {
         scene(|s| {
             half(s);
             (s.model.surface_tension, s.fluid.surface_tension) = (SurfaceTension::Attraction, 1.0);
-            s.model.near_pressure = NearPressure::Article;
+            s.model.near_pressure = NearPressure::DoubleDensity;
         }),
         Ok(())
     );
@@ -369,8 +375,8 @@ fn what_the_half_stencil_cannot_do_by_name() {
         let shape = WallShape::Plane { face: Face::Floor, low: [0.0; 3], high: [1.0, 0.0, 1.0] };
         s.walls = [Wall::still(shape)].into_iter().collect();
     });
-    refused("model.hydrostatic_start and a model.surface_tension between pairs", alike, &|s| {
-        s.model.hydrostatic_start = true;
+    refused("model.initialize_hydrostatic and a model.surface_tension between pairs", alike, &|s| {
+        s.model.initialize_hydrostatic = true;
         (s.model.surface_tension, s.fluid.surface_tension) = (SurfaceTension::GradientSum, 1.0);
     });
     refused("model.variable_support", "it searches by one support for all", &|s| {
@@ -390,8 +396,8 @@ fn what_the_half_stencil_cannot_do_by_name() {
         });
     }
     refused("model.surface_normals", once, &|s| s.model.surface_normals = true);
-    refused("model.thermal_energy", once, &|s| s.model.thermal_energy = true);
-    refused("model.viscosity Exchange", once, &|s| s.model.viscosity = Viscosity::Exchange);
+    refused("model.internal_energy", once, &|s| s.model.internal_energy = true);
+    refused("model.viscosity Exchange", once, &|s| s.model.viscosity = Viscosity::VelocityExchange);
     refused("fluid.radial_exchange", once, &|s| s.fluid.radial_exchange = 0.1);
     refused("fluid.xsph", once, &|s| s.fluid.xsph = 0.1);
     refused("air", once, &air);

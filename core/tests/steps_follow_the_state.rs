@@ -4,7 +4,7 @@
 use approx::assert_relative_eq;
 use millpond_core::OwnedMemory;
 use millpond_core::derive::{speed_of_sound, support_radius};
-use millpond_core::scene::{Adaptive, Fluid, GridStructure, InitialParticle, Integrator, Scene};
+use millpond_core::scene::{AdaptiveTimeStep, Fluid, GridStructure, InitialParticle, Integrator, Scene};
 use millpond_core::{Array, Plan, Requirements, Serial, Solver, StepError, TimeReport};
 
 mod support;
@@ -45,9 +45,12 @@ fn each_step_is_what_its_criteria_ask_for() {
             let after = solver.time_report();
             // a dozen roundings of f32
             assert_relative_eq!(f64::from(after.wanted), wanted(&scene, &solver), max_relative = 1e-6);
-            let limit = (after.time_step * adaptive.growth).min(adaptive.largest);
+            let limit = (after.time_step * adaptive.max_growth).min(adaptive.largest);
             assert_eq!(after.next, after.wanted.min(limit).max(adaptive.smallest));
-            assert!(after.redone > before.redone || after.time_step == before.next, "{before:?}, {after:?}");
+            assert!(
+                after.rejected_steps > before.rejected_steps || after.time_step == before.next,
+                "{before:?}, {after:?}"
+            );
             sum += f64::from(after.time_step);
             lengths.push(after.time_step);
             // the clock carries what one f32 cannot show, about 2^-24 of it, and of that loses 2^-24 a step
@@ -82,23 +85,24 @@ fn a_step_that_was_too_long_is_made_again() {
         (too_long, solver.time_report())
     };
     let (too_long, clock) = run(&scene);
-    assert!(clock.redone > 10 && clock.held == 0, "{clock:?}");
+    assert!(clock.rejected_steps > 10 && clock.held == 0, "{clock:?}");
     assert_eq!(too_long, 0, "a step that counts keeps the condition");
     let mut lax = scene;
-    lax.adaptive = lax.adaptive.map(|adaptive| Adaptive { redo_above: None, ..adaptive });
+    lax.adaptive = lax.adaptive.map(|adaptive| AdaptiveTimeStep { reject_ratio: None, ..adaptive });
     let (too_long, clock) = run(&lax);
-    assert!(too_long > 0 && clock.redone == 0, "without that choice {too_long} steps were too long");
+    assert!(too_long > 0 && clock.rejected_steps == 0, "without that choice {too_long} steps were too long");
 }
 
 #[test]
 fn a_step_that_cannot_be_short_enough_is_counted() {
     let mut scene = falling();
-    scene.adaptive = scene.adaptive.map(|adaptive| Adaptive { smallest: 1e-3, redo_above: Some(1.0), ..adaptive });
+    scene.adaptive =
+        scene.adaptive.map(|adaptive| AdaptiveTimeStep { smallest: 1e-3, reject_ratio: Some(1.0), ..adaptive });
     let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
     let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
     (0..20).for_each(|_| solver.step(&Serial).expect("a step"));
-    let TimeReport { time_step, held, redone, .. } = solver.time_report();
-    assert_eq!((time_step, held, redone), (1e-3, 20, 0));
+    let TimeReport { time_step, held, rejected_steps, .. } = solver.time_report();
+    assert_eq!((time_step, held, rejected_steps), (1e-3, 20, 0));
 }
 
 #[test]
@@ -119,7 +123,7 @@ fn a_refused_step_leaves_the_clock_alone() {
         };
         assert!(matches!(refused, StepError::CellFull { capacity, .. } if capacity == places), "{refused}");
         assert!(Words::of_cpu(&solver) == before);
-        undone += before.clock.redone;
+        undone += before.clock.rejected_steps;
     }
     assert!(undone > 0, "steps that are made again");
 }

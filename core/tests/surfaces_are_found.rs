@@ -1,6 +1,6 @@
 //! Promise: who is at the surface of a fluid, and where it points can be asked for each particle, between like fluids and in
 //! nothing; how it is curved, between like fluids. A scene that does not ask finds none.
-use millpond_core::scene::{Block, Dimension, Fluid, InitialParticle, Kernel, ModelChoice, Scene, SurfaceTension};
+use millpond_core::scene::{Block, Dimension, Fluid, Formulation, InitialParticle, Kernel, Scene, SurfaceTension};
 use millpond_core::{Particle, Plan, Solver};
 
 mod support;
@@ -12,7 +12,7 @@ const HALF: i16 = 32;
 const SPACING: f32 = 0.01;
 
 /// A disc of fluid 0 on a lattice, in fluid 1 or in nothing.
-fn disc(model: ModelChoice, in_a_like_fluid: bool) -> Vec<Particle> {
+fn disc(model: Formulation, in_a_like_fluid: bool) -> Vec<Particle> {
     let fluid = Fluid { surface_tension: if model.surface_normals { 0.0 } else { 1.0 }, ..Fluid::default() };
     let mut scene =
         Scene::of(Dimension::Two, SPACING, 1e-4, fluid, Block { size: [1.0, 1.0, 0.0], ..Block::default() });
@@ -32,14 +32,14 @@ fn disc(model: ModelChoice, in_a_like_fluid: bool) -> Vec<Particle> {
     solver.expect("a scene").particles().collect()
 }
 
-fn model(surface_tension: SurfaceTension) -> ModelChoice {
+fn model(surface_tension: SurfaceTension) -> Formulation {
     let kernel = Kernel::WendlandC4;
-    ModelChoice { surface_tension, density_kernel: kernel, pressure_kernel: kernel, ..ModelChoice::multiphase() }
+    Formulation { surface_tension, density_kernel: kernel, pressure_kernel: kernel, ..Formulation::multiphase() }
 }
 
 #[test]
 fn of_a_disc() {
-    let alone = ModelChoice { surface_normals: true, ..model(SurfaceTension::Off) };
+    let alone = Formulation { surface_normals: true, ..model(SurfaceTension::Off) };
     for (model, in_a_like_fluid) in [
         (model(SurfaceTension::NormalCurvature), true),
         (model(SurfaceTension::NormalCurvature), false),
@@ -75,7 +75,7 @@ fn of_a_disc() {
 
 #[test]
 fn and_none_where_nobody_asks() {
-    let silent = ModelChoice { surface_tension: SurfaceTension::Attraction, ..model(SurfaceTension::Off) };
+    let silent = Formulation { surface_tension: SurfaceTension::Attraction, ..model(SurfaceTension::Off) };
     let found = |p: &Particle| p.at_surface || p.curvature != 0.0 || p.normal.length() > 0.0;
     assert!(!disc(silent, true).iter().any(found));
 }

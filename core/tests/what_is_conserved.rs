@@ -3,13 +3,13 @@
 //! the time step; an even motion of everything changes nothing.
 use millpond_core::OwnedMemory;
 use millpond_core::scene::{
-    Block, DensityForm, Dimension, Evaluation, Fluid, Grid, Kernel, ModelChoice, NearPressure, Periodic, PressureForce,
+    Block, DensityForm, Dimension, Evaluation, Fluid, Formulation, Grid, Kernel, NearPressure, Periodic, PressureForce,
     Scene, SurfaceTension, Viscosity,
 };
 use millpond_core::{Serial, Solver};
 
 /// A jittered drop that collides with another, by itself in space.
-fn collision(model: ModelChoice) -> Scene {
+fn collision(model: Formulation) -> Scene {
     let fluid = Fluid { dynamic_viscosity: 3.0, speed_of_sound: 15.0, ..Fluid::default() };
     let block = Block { size: [0.3, 0.4, 0.2], velocity: [1.0, 0.2, 0.0], jitter: 0.3, ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, 0.05, 0.0005, fluid, block);
@@ -42,8 +42,8 @@ fn strayed(scene: &Scene) -> f64 {
 const ROUNDING: f64 = 48.0 * 3e-6;
 
 /// The second of the two drops of another fluid, lighter, and both of them pulled together.
-fn two_fluids(model: ModelChoice) -> Scene {
-    let mut scene = collision(ModelChoice { suction: false, viscosity_kernel: Kernel::CubicSpline, ..model });
+fn two_fluids(model: Formulation) -> Scene {
+    let mut scene = collision(Formulation { negative_pressure: false, viscosity_kernel: Kernel::CubicSpline, ..model });
     let light = Fluid { rest_density: 700.0, speed_of_sound: 18.0, dynamic_viscosity: 1.0, ..scene.fluid };
     let _ = scene.other_fluids.push(light);
     scene.blocks[1].fluid = 1;
@@ -65,13 +65,14 @@ fn momentum_of_several_fluids_and_not_where_a_form_makes_no_such_promise() {
             if pressure_force == PressureForce::NumberDensity {
                 continue;
             }
-            for viscosity in [Viscosity::MuellerAdapted, Viscosity::Morris, Viscosity::Artificial, Viscosity::Exchange]
+            for viscosity in
+                [Viscosity::MuellerAdapted, Viscosity::Morris, Viscosity::Artificial, Viscosity::VelocityExchange]
             {
                 let adapted = density != DensityForm::Continuity || pressure_force.is_adapted();
                 if viscosity == Viscosity::MuellerAdapted && !adapted {
                     continue;
                 }
-                let model = ModelChoice { pressure_force, viscosity, density, ..ModelChoice::default() };
+                let model = Formulation { pressure_force, viscosity, density, ..Formulation::default() };
                 let strayed = strayed(&two_fluids(model));
                 let name = format!("{pressure_force:?} {viscosity:?} {density:?}: {strayed} kg m/s");
                 assert!(if keeps { strayed < ROUNDING } else { strayed > 10.0 * ROUNDING }, "{name}");
@@ -85,7 +86,7 @@ fn momentum_by_tensions_between_pairs_and_by_springs() {
     for &surface_tension in SurfaceTension::ALL {
         let keeps =
             matches!(surface_tension, SurfaceTension::Off | SurfaceTension::Attraction | SurfaceTension::GradientSum);
-        let mut scene = two_fluids(ModelChoice { surface_tension, ..ModelChoice::multiphase() });
+        let mut scene = two_fluids(Formulation { surface_tension, ..Formulation::multiphase() });
         scene.fluid.elastic_stiffness = 500.0;
         let strayed = strayed(&scene);
         let as_promised = if keeps { strayed < ROUNDING } else { strayed > 10.0 * ROUNDING };
@@ -97,18 +98,18 @@ fn momentum_by_tensions_between_pairs_and_by_springs() {
 fn momentum_by_every_form_whose_pairs_act_alike() {
     let symmetric = [PressureForce::Mueller, PressureForce::Monaghan, PressureForce::NumberDensity];
     for pressure_force in symmetric {
-        for viscosity in [Viscosity::Mueller, Viscosity::Morris, Viscosity::Artificial, Viscosity::Dotted] {
-            for near_pressure in [NearPressure::Off, NearPressure::Thesis, NearPressure::Article] {
+        for viscosity in [Viscosity::Mueller, Viscosity::Morris, Viscosity::Artificial, Viscosity::MonaghanGingold] {
+            for near_pressure in [NearPressure::Off, NearPressure::DensityProportional, NearPressure::DoubleDensity] {
                 let on_numbers = pressure_force == PressureForce::NumberDensity;
                 let density = if on_numbers { DensityForm::NumberDensity } else { DensityForm::Summation };
                 let viscosity_kernel = Kernel::CubicSpline;
-                let model = ModelChoice {
+                let model = Formulation {
                     pressure_force,
                     viscosity,
                     near_pressure,
                     density,
                     viscosity_kernel,
-                    ..ModelChoice::default()
+                    ..Formulation::default()
                 };
                 let scene = collision(model);
                 let strayed = strayed(&scene);
@@ -120,23 +121,27 @@ fn momentum_by_every_form_whose_pairs_act_alike() {
 
 #[test]
 fn energy_to_the_order_of_the_integrator() {
-    for viscosity in
-        [Viscosity::Mueller, Viscosity::Morris, Viscosity::Artificial, Viscosity::Dotted, Viscosity::Exchange]
-    {
-        let model = ModelChoice {
-            thermal_energy: true,
+    for viscosity in [
+        Viscosity::Mueller,
+        Viscosity::Morris,
+        Viscosity::Artificial,
+        Viscosity::MonaghanGingold,
+        Viscosity::VelocityExchange,
+    ] {
+        let model = Formulation {
+            internal_energy: true,
             viscosity,
             density_kernel: Kernel::WendlandC2,
             pressure_kernel: Kernel::WendlandC2,
             viscosity_kernel: Kernel::WendlandC2,
             pressure_force: PressureForce::Monaghan,
-            ..ModelChoice::default()
+            ..Formulation::default()
         };
         let strayed = |refinement: u16, several: bool| {
             let mut scene = collision(model);
             if several {
-                scene = two_fluids(ModelChoice { pressure_force: PressureForce::DensityWeighted, ..model });
-                scene.model.suction = true;
+                scene = two_fluids(Formulation { pressure_force: PressureForce::DensityWeighted, ..model });
+                scene.model.negative_pressure = true;
                 scene.other_fluids[0].elastic_stiffness = 300.0;
             }
             scene.gravity = [0.0, -9.81, 0.0];
@@ -176,7 +181,7 @@ fn an_even_motion_of_everything_is_no_motion() {
     scene.average_neighbours = 20.0;
     scene.periodic = Some(Periodic { low: [0.0; 3], high: [0.4, 0.4, 0.0], axes: [true, true, false] });
     for evaluation in [Evaluation::Direct, Evaluation::Table] {
-        scene.model = ModelChoice { evaluation, ..ModelChoice::modern() };
+        scene.model = Formulation { evaluation, ..Formulation::modern() };
         let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
         let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
         (0..200).for_each(|_| solver.step(&Serial).expect("a step"));

@@ -40,7 +40,7 @@ impl<'g> Maker<'g> {
     }
 
     /// A buffer of so many bytes.
-    pub(crate) fn room(&self, array: &'static str, bytes: usize) -> Result<wgpu::Buffer, GpuError> {
+    pub(crate) fn allocate(&self, array: &'static str, bytes: usize) -> Result<wgpu::Buffer, GpuError> {
         let bytes = bytes.max(size_of::<f32x4>()) as u64;
         let limits = self.gpu.device.limits();
         let limit = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
@@ -54,7 +54,7 @@ impl<'g> Maker<'g> {
 
     /// A buffer with this content.
     pub(crate) fn filled<T: Pod>(&self, array: &'static str, content: &[T]) -> Result<wgpu::Buffer, GpuError> {
-        let buffer = self.room(array, size_of_val(content))?;
+        let buffer = self.allocate(array, size_of_val(content))?;
         self.gpu.queue.write_buffer(&buffer, 0, cast_slice(content));
         Ok(buffer)
     }
@@ -72,7 +72,7 @@ impl Buffers {
             }
             let bytes = requirements.entries(array) * array.words() * size_of::<u32>();
             let copies = requirements.copies(array);
-            let buffers = (0..copies).map(|_| storage.room(array.name(), bytes)).collect::<Result<Vec<_>, _>>()?;
+            let buffers = (0..copies).map(|_| storage.allocate(array.name(), bytes)).collect::<Result<Vec<_>, _>>()?;
             if let (Some(first), Class::State | Class::Index | Class::Given) = (buffers.first(), array.class()) {
                 gpu.queue.write_buffer(first, 0, cast_slice(solver.words(array)));
             }
@@ -89,7 +89,7 @@ impl Buffers {
         status.last_residual = correction.residual.to_bits();
         let cells = requirements.entries(Array::grid_cell_counters);
         let counters = cells + cell_blocks(cells as u32) as usize;
-        let head = storage.room("head", size_of::<Status>() + counters * size_of::<u32>())?;
+        let head = storage.allocate("head", size_of::<Status>() + counters * size_of::<u32>())?;
         gpu.queue.write_buffer(&head, 0, bytemuck::bytes_of(&status));
         let mut tables = [0; TABLE_WORDS];
         let own = solver.words(Array::kernel_tables);
@@ -147,7 +147,7 @@ pub(crate) fn read<T: Pod + Zeroable>(gpu: &Gpu, buffer: &wgpu::Buffer, count: u
     if bytes == 0 {
         return Ok(Vec::new());
     }
-    gpu.caught(|| read_bytes(gpu, buffer, bytes, count))
+    gpu.with_error_scopes(|| read_bytes(gpu, buffer, bytes, count))
 }
 
 fn read_bytes<T: Pod + Zeroable>(

@@ -1,7 +1,7 @@
 //! A device, and how programs reach its driver.
 use crate::error::GpuError;
 use crate::float_controls::FloatControls;
-use crate::program::Words;
+use crate::program::Intrinsics;
 use crate::strict::spirv;
 use std::borrow::Cow;
 
@@ -21,13 +21,13 @@ pub struct Gpu {
     pub(crate) queue: wgpu::Queue,
     pub(crate) info: wgpu::AdapterInfo,
     pub(crate) mode: Mode,
-    pub(crate) words: Words,
+    pub(crate) words: Intrinsics,
     pub(crate) float_controls: FloatControls,
 }
 
 impl Gpu {
     /// Does `make`, and turns what wgpu finds wrong on the way into an error: left alone, it would panic.
-    pub(crate) fn caught<T>(&self, make: impl FnOnce() -> Result<T, GpuError>) -> Result<T, GpuError> {
+    pub(crate) fn with_error_scopes<T>(&self, make: impl FnOnce() -> Result<T, GpuError>) -> Result<T, GpuError> {
         let filters = [wgpu::ErrorFilter::OutOfMemory, wgpu::ErrorFilter::Validation, wgpu::ErrorFilter::Internal];
         let scopes = filters.map(|filter| self.device.push_error_scope(filter));
         let made = make();
@@ -53,7 +53,7 @@ impl Gpu {
 
     /// Where division and root come from on it.
     #[must_use]
-    pub fn words(&self) -> Words {
+    pub fn words(&self) -> Intrinsics {
         self.words
     }
 

@@ -10,11 +10,11 @@ pub mod bindings;
 pub mod device;
 pub mod error;
 pub mod float_controls;
+pub mod intrinsics;
 pub mod program;
 pub mod solver;
 pub mod strict;
 pub mod text;
-pub mod words;
 
 mod buffers;
 mod functions;

@@ -2,8 +2,8 @@
 use crate::device::{Gpu, Mode};
 use crate::error::GpuError;
 use crate::float_controls::FloatControls;
-use crate::program::Words;
-use crate::words::{WordReport, try_words};
+use crate::intrinsics::{WordReport, test_intrinsics};
+use crate::program::Intrinsics;
 
 impl Gpu {
     /// Opens the first adapter whose name contains `wanted` (any, without) and that has this mode, hardware before
@@ -46,10 +46,10 @@ impl Gpu {
             return Err(no_strict_mode(&info));
         }
         let float_controls = FloatControls::offered_by(&device);
-        let mut gpu = Gpu { device, queue, info, mode, words: Words::Native, float_controls };
-        if mode == Mode::Strict && gpu.prove_words().is_err() {
-            gpu.words = Words::Exact;
-            gpu.prove_words()?;
+        let mut gpu = Gpu { device, queue, info, mode, words: Intrinsics::Native, float_controls };
+        if mode == Mode::Strict && gpu.verify_intrinsics().is_err() {
+            gpu.words = Intrinsics::Exact;
+            gpu.verify_intrinsics()?;
         }
         Ok(gpu)
     }
@@ -79,8 +79,8 @@ impl Gpu {
     }
 
     /// Refuses words that differ from core's.
-    fn prove_words(&self) -> Result<(), GpuError> {
-        let reports = self.caught(|| try_words(self, &self.words.prelude()))?;
+    fn verify_intrinsics(&self) -> Result<(), GpuError> {
+        let reports = self.with_error_scopes(|| test_intrinsics(self, &self.words.prelude()))?;
         match reports.into_iter().find(|report| report.differing > 0) {
             None => Ok(()),
             Some(WordReport { word, tried, differing }) => {

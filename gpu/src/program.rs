@@ -9,20 +9,20 @@ use millpond_core::layout::{
 
 /// Where division and root come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Words {
+pub enum Intrinsics {
     /// The device's own.
     Native,
     /// The device's own, corrected by integers: for a device that is a little off.
     Exact,
 }
 
-impl Words {
+impl Intrinsics {
     /// The vocabulary: `div`, `root` and all that WGSL lacks beside them.
     #[must_use]
     pub fn prelude(self) -> String {
         let words = match self {
-            Words::Native => include_str!("shaders/words_native.wgsl"),
-            Words::Exact => include_str!("shaders/words_exact.wgsl"),
+            Intrinsics::Native => include_str!("shaders/intrinsics_native.wgsl"),
+            Intrinsics::Exact => include_str!("shaders/intrinsics_exact.wgsl"),
         };
         // in WGSL the order of declarations is free
         words.to_owned() + include_str!("shaders/prelude.wgsl")
@@ -52,12 +52,12 @@ millpond_core::with_passes!(loop_texts);
 
 /// The vocabulary and all terms, without a pass: what a test of a single term needs.
 #[must_use]
-pub fn library(model: &Model, words: Words) -> String {
+pub fn library(model: &Model, words: Intrinsics) -> String {
     vocabulary(model, words) + &Functions::of_terms().whole()
 }
 
 /// The vocabulary, the scene's constants and its choices.
-fn vocabulary(model: &Model, words: Words) -> String {
+fn vocabulary(model: &Model, words: Intrinsics) -> String {
     let mut out = words.prelude();
     out += &format!("alias Planes = array<f32x4, {PLANES}>;\nalias MaterialRows = array<f32x4, {MATERIALS}>;\n");
     out +=
@@ -79,7 +79,7 @@ fn vocabulary(model: &Model, words: Words) -> String {
 
 /// The program of a pass, its entry point named `main`.
 #[must_use]
-pub fn program(pass: Pass, model: &Model, words: Words) -> String {
+pub fn program(pass: Pass, model: &Model, words: Intrinsics) -> String {
     let mut out = vocabulary(model, words);
     out += include_str!("shaders/grid.wgsl");
     if reads_pairs(pass) {

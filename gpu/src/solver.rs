@@ -91,11 +91,11 @@ impl GpuSolver {
         let parameters = solver.parameters();
         let plan = solver.plan();
         countable(solver.steps())?;
-        if plan.model.half_stencil == 1 {
+        if plan.model.is_half_stencil == 1 {
             let why = "on a device two particles would add to a third at once; set it to FullStencil";
             return Err(GpuError::CpuOnly { choice: "grid.traversal HalfStencil", why });
         }
-        let (buffers, dispatches) = gpu.caught(|| {
+        let (buffers, dispatches) = gpu.with_error_scopes(|| {
             let buffers = Buffers::of(gpu, solver)?;
             let dispatches = dispatches(gpu, plan, &buffers, parameters)?;
             Ok((buffers, dispatches))
@@ -136,7 +136,7 @@ impl GpuSolver {
     pub fn step_timed(&mut self) -> Result<Vec<(Pass, f64)>, GpuError> {
         let until = self.steps + 1;
         countable(until)?;
-        let clock = self.gpu.caught(|| PassClock::new(&self.gpu, self.dispatches.len()))?;
+        let clock = self.gpu.with_error_scopes(|| PassClock::new(&self.gpu, self.dispatches.len()))?;
         while self.steps < until {
             self.attempt(1, Some(&clock))?;
         }
@@ -156,13 +156,15 @@ impl GpuSolver {
             if let Some(clock) = clock {
                 clock.resolve(&mut encoder);
             }
-            self.gpu.caught(|| Ok(self.gpu.queue.submit([encoder.finish()])))?;
+            self.gpu.with_error_scopes(|| Ok(self.gpu.queue.submit([encoder.finish()])))?;
             self.attempts += some.len() as u64;
         }
         let status = self.status()?;
         self.steps = u64::from(status.steps);
         if status.failed == 1 {
-            return Err(verdict(&status, self.buffers.model().cell_places).err().map_or_else(lost, GpuError::Step));
+            return Err(verdict(&status, self.buffers.model().cell_places)
+                .err()
+                .map_or_else(inconsistent_status, GpuError::Step));
         }
         Ok(())
     }
@@ -206,18 +208,18 @@ impl GpuSolver {
     ///
     /// # Errors
     /// Fewer or more nodes than the scene says, or a value that is not finite; a call before the fluid's first step. The field then stays as it was.
-    pub fn set_field(&mut self, nodes: &[f32x4]) -> Result<(), GpuError> {
-        let (given, expected) = (nodes.len(), self.buffers.counts().field_nodes);
+    pub fn set_field(&mut self, points: &[f32x4]) -> Result<(), GpuError> {
+        let (given, expected) = (points.len(), self.buffers.counts().field_nodes);
         if given != expected {
-            return Err(SceneError::WrongLength { call: "set_field", what: "nodes", given, expected }.into());
+            return Err(SceneError::WrongLength { call: "set_field", what: "points", given, expected }.into());
         }
-        if let Some(&value) = nodes.as_flattened().iter().find(|x| !x.is_finite()) {
+        if let Some(&value) = points.as_flattened().iter().find(|x| !x.is_finite()) {
             return Err(SceneError::NotFinite { field: "field", value }.into());
         }
         if expected > 0 {
             self.has_begun("set_field")?;
             let field = self.buffers.array(Array::acceleration_field, Side::Only, 0);
-            self.gpu.queue.write_buffer(field, 0, bytemuck::cast_slice(nodes));
+            self.gpu.queue.write_buffer(field, 0, bytemuck::cast_slice(points));
         }
         Ok(())
     }
@@ -280,7 +282,7 @@ impl GpuSolver {
 
     /// Does its time step follow from the state?
     fn is_adaptive(&self) -> bool {
-        self.buffers.model().adaptive == 1
+        self.buffers.model().is_adaptive == 1
     }
 
     /// The first step begins with accelerations that the CPU evaluated, so that a change before it is the CPU's to make.
@@ -370,7 +372,7 @@ impl GpuSolver {
     /// The device failed.
     pub fn status(&self) -> Result<Status, GpuError> {
         let status: Vec<Status> = read(&self.gpu, &self.buffers.head, 1)?;
-        status.first().copied().ok_or_else(lost)
+        status.first().copied().ok_or_else(inconsistent_status)
     }
 
     /// Reads the fluid back.
@@ -440,6 +442,6 @@ fn countable(steps: u64) -> Result<(), GpuError> {
 }
 
 /// A status that contradicts itself.
-fn lost() -> GpuError {
+fn inconsistent_status() -> GpuError {
     GpuError::Device("the status says that a step failed, and not why".into())
 }

@@ -25,7 +25,7 @@ fn a_device_keeps_the_same_clock() {
             assert_eq!(fluid.time_report().expect("a report"), cpu.time_report(), "{at_once} at once");
             assert!(words_of(&fluid) == Words::of_cpu(&cpu), "{at_once} at once");
         }
-        assert!(cpu.time_report().redone > 10, "attempts that sit out");
+        assert!(cpu.time_report().rejected_steps > 10, "attempts that sit out");
     }
 }
 
@@ -48,7 +48,7 @@ fn a_refused_step_leaves_the_clock_alone() {
             assert!(solver.steps() < 1000, "no cell was ever full");
         };
         assert!(matches!(refused, StepError::CellFull { capacity, .. } if capacity == places), "{refused}");
-        undone += before.clock.redone;
+        undone += before.clock.rejected_steps;
         assert!(matches!(fluid.step(1000), Err(GpuError::Step(error)) if error == refused));
         assert!(words_of(&fluid) == before, "{places} places");
     }

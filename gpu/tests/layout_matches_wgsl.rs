@@ -3,7 +3,7 @@
 //! naga reads the complete program of every pass; no device is needed.
 use millpond_core::layout::{Materials, Model, Parameters, Status, StepUniform, f32x4, u32x4};
 use millpond_core::{Pass, Plan};
-use millpond_gpu::program::{Words, program};
+use millpond_gpu::program::{Intrinsics, program};
 use millpond_gpu::strict::validate;
 use naga::{AddressSpace, Module, TypeInner};
 
@@ -11,7 +11,7 @@ mod support;
 
 fn module(pass: Pass) -> Module {
     let plan = Plan::everything(&support::checked(&support::dam_break(1.0)));
-    validate(&program(pass, &plan.model, Words::Native)).unwrap_or_else(|e| panic!("{}: {e}", pass.name())).0
+    validate(&program(pass, &plan.model, Intrinsics::Native)).unwrap_or_else(|e| panic!("{}: {e}", pass.name())).0
 }
 
 /// Name, offset and size of the members of a WGSL struct, and its size.

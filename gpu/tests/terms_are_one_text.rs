@@ -4,7 +4,7 @@ use millpond_core::layout::Model;
 use millpond_core::plan::passes::Threads;
 use millpond_core::terms::texts;
 use millpond_core::{Pass, Plan};
-use millpond_gpu::program::{Words, library, program};
+use millpond_gpu::program::{Intrinsics, library, program};
 use millpond_gpu::strict::validate;
 use naga::valid::{FunctionInfo, ModuleInfo};
 use naga::{BinaryOperator, Expression, Function, Handle, Literal, MathFunction, Module, ScalarKind};
@@ -30,14 +30,14 @@ type Program = (Module, ModuleInfo);
 
 #[test]
 fn every_pass_and_every_term_compiles_as_wgsl() {
-    for words in [Words::Native, Words::Exact] {
+    for words in [Intrinsics::Native, Intrinsics::Exact] {
         // a program has the terms that it calls
         if let Err(error) = validate(&library(&model(), words)) {
             panic!("all terms, {words:?}: {error}");
         }
     }
     for pass in Pass::ALL {
-        for words in [Words::Native, Words::Exact] {
+        for words in [Intrinsics::Native, Intrinsics::Exact] {
             if let Err(error) = validate(&program(pass, &model(), words)) {
                 panic!("{}, {words:?}: {error}", pass.name());
             }
@@ -82,12 +82,12 @@ fn loose(program: &Program) -> BTreeSet<String> {
 
 #[test]
 fn no_program_uses_a_loose_builtin() {
-    for words in [Words::Native, Words::Exact] {
+    for words in [Intrinsics::Native, Intrinsics::Exact] {
         let read = validate(&library(&model(), words)).expect("it compiles");
         assert_eq!(loose(&read), BTreeSet::new(), "all terms, {words:?}");
     }
     for pass in Pass::ALL {
-        for words in [Words::Native, Words::Exact] {
+        for words in [Intrinsics::Native, Intrinsics::Exact] {
             let read = validate(&program(pass, &model(), words)).expect("it compiles");
             assert_eq!(loose(&read), BTreeSet::new(), "{}, {words:?}", pass.name());
         }
@@ -100,7 +100,7 @@ fn no_program_uses_a_loose_builtin() {
 
 #[test]
 fn every_function_of_the_terms_is_in_the_wgsl_and_defined_once() {
-    let read = validate(&library(&model(), Words::Native)).expect("it compiles");
+    let read = validate(&library(&model(), Intrinsics::Native)).expect("it compiles");
     let defined: Vec<String> = functions(&read).map(|(name, ..)| name).collect();
     let mut wanted = 0;
     for (file, text) in texts() {

@@ -5,8 +5,8 @@
 //!
 //! This localises what `bits_same_on_gpu.rs` only detects.
 use millpond_gpu::Mode;
-use millpond_gpu::program::Words;
-use millpond_gpu::words::try_words;
+use millpond_gpu::intrinsics::test_intrinsics;
+use millpond_gpu::program::Intrinsics;
 
 mod support;
 use support::device;
@@ -14,8 +14,8 @@ use support::device;
 #[test]
 fn every_word_keeps_its_bits_in_strict_mode() {
     let Some(gpu) = device("vocabulary_parity", Mode::Strict) else { return };
-    for words in [gpu.words(), Words::Exact] {
-        for report in try_words(&gpu, &words.prelude()).expect("a device that answers") {
+    for words in [gpu.words(), Intrinsics::Exact] {
+        for report in test_intrinsics(&gpu, &words.prelude()).expect("a device that answers") {
             assert_eq!(report.differing, 0, "{words:?}: {report:?}");
             assert!(report.tried > 10_000, "{report:?}");
         }
@@ -27,23 +27,23 @@ fn exact_words_put_right_what_a_loose_device_gets_wrong() {
     let Some(gpu) = device("vocabulary_parity, loose", Mode::Strict) else { return };
     // a device that is off by so many units in the last place, up or down
     for off in ["+ 1u", "- 1u", "+ 3u", "- 3u"] {
-        let loosened = |words: Words| {
+        let loosened = |words: Intrinsics| {
             let loose = |x: &str| format!("bitcast<f32>(bitcast<u32>({x}) {off})");
             words.prelude().replace("x / y", &loose("x / y")).replace("sqrt(x)", &loose("sqrt(x)"))
         };
         let differing = |words| {
-            let reports = try_words(&gpu, &loosened(words)).expect("a device that answers");
+            let reports = test_intrinsics(&gpu, &loosened(words)).expect("a device that answers");
             reports.into_iter().filter(|r| r.differing > 0).map(|r| r.word).collect::<Vec<_>>()
         };
-        assert_eq!(differing(Words::Native), ["div", "root", "div, wide", "root, wide"], "{off}");
-        assert_eq!(differing(Words::Exact), [""; 0], "{off}");
+        assert_eq!(differing(Intrinsics::Native), ["div", "root", "div, wide", "root, wide"], "{off}");
+        assert_eq!(differing(Intrinsics::Exact), [""; 0], "{off}");
     }
 }
 
 #[test]
 fn plain_mode_breaks_a_spelling_that_strict_mode_keeps() {
     let Some(gpu) = device("vocabulary_parity, plain", Mode::Plain) else { return };
-    let reports = try_words(&gpu, &gpu.words().prelude()).expect("a device that answers");
+    let reports = test_intrinsics(&gpu, &gpu.words().prelude()).expect("a device that answers");
     let differing = |word: &str| reports.iter().find(|r| r.word == word).map(|r| r.differing);
     // 40 % were measured there; other drivers may keep it, which proves nothing about them
     if gpu.name().contains("llvmpipe") {

@@ -1,7 +1,7 @@
 //! The arguments that commands share.
 use crate::failure::Failure;
+use crate::run_length::RunLength;
 use crate::scenes::Changes;
-use crate::span::Span;
 use clap::{Args, ValueEnum};
 use millpond_core::scene::Scene;
 use std::path::PathBuf;
@@ -50,10 +50,14 @@ impl Length {
     ///
     /// # Errors
     /// A time that is none.
-    pub fn of(self, scene: &Scene, otherwise: impl FnOnce() -> Result<Span, Failure>) -> Result<Span, Failure> {
+    pub fn of(
+        self,
+        scene: &Scene,
+        otherwise: impl FnOnce() -> Result<RunLength, Failure>,
+    ) -> Result<RunLength, Failure> {
         match (self.steps, self.time) {
-            (Some(steps), _) => Ok(Span::Steps(steps)),
-            (None, Some(seconds)) => Span::of_seconds(scene, seconds),
+            (Some(steps), _) => Ok(RunLength::Steps(steps)),
+            (None, Some(seconds)) => RunLength::of_seconds(scene, seconds),
             (None, None) => otherwise(),
         }
     }

@@ -29,7 +29,7 @@ enum Command {
     Error(error_study::Options),
     /// Hold the fluid against references from outside: named studies with limits
     Check(check::Options),
-    /// Map the largest stable time step of a scene over axes such as stiffness and integrator; of `tower`, S1's figures
+    /// Map the largest stable time step of a scene over axes such as stiffness and integrator; of `tower`, Hinsch's figures
     Stability(stability::Options),
     /// List the built-in scenes
     Scenes {

@@ -4,9 +4,9 @@ use crate::failure::Failure;
 use crate::fluid::{device_if_any, start};
 use crate::output::{deliver, progress};
 use crate::pool::Pool;
-use crate::scenes::{MOST_BYTES, Named, load};
+use crate::run_length::RunLength;
+use crate::scenes::{LoadedScene, MOST_BYTES, load};
 use crate::snapshot::Snapshot;
-use crate::span::Span;
 use crate::timing::{Milliseconds, timed};
 use millpond_core::OwnedMemory;
 use millpond_core::scene::{GridStructure, Scene, Traversal};
@@ -37,7 +37,7 @@ pub struct Options {
 const DEFAULT_STEPS: u64 = 200;
 
 /// A path of computation that is held against the reference.
-struct Rival<'a> {
+struct Candidate<'a> {
     path: Path<'a>,
     pair: Pair,
     times: Vec<f64>,
@@ -70,7 +70,7 @@ impl Path<'_> {
 pub fn execute(options: &Options) -> Result<bool, Failure> {
     let named = load(&options.common.scene, &options.common.changes)?;
     let file = &named.file;
-    let span = options.length.of(&file.scene, || Ok(Span::Steps(DEFAULT_STEPS)))?;
+    let span = options.length.of(&file.scene, || Ok(RunLength::Steps(DEFAULT_STEPS)))?;
     let gpu = match options.backend {
         Some(BackendName::Cpu) => None,
         Some(BackendName::Gpu) => Some(Gpu::open(None, Mode::Strict)?),
@@ -110,16 +110,16 @@ fn other_grid(scene: &Scene, solver: &mut Solver<'_>) -> Scene {
     other
 }
 
-/// Holds every path against the scalar one over a span. `meddle` may change what the first of them says before it
+/// Holds every path against the scalar one over a span. `tamper` may change what the first of them says before it
 /// is looked at: so a test shows that the comparison can fail.
 ///
 /// # Errors
 /// A scene that cannot run; a step that the scalar path cannot make. A path that fails alone is told in its pair.
 pub fn compare(
-    named: &Named,
-    span: Span,
+    named: &LoadedScene,
+    span: RunLength,
     paths: &Paths,
-    meddle: &mut dyn FnMut(u64, &mut Snapshot),
+    tamper: &mut dyn FnMut(u64, &mut Snapshot),
 ) -> Result<Comparison, Failure> {
     let scene = &named.checked()?;
     let (one, many) = (Pool::new(1)?, Pool::new(paths.threads)?);
@@ -134,7 +134,7 @@ pub fn compare(
     let mut other_heap = needs.as_ref().map(OwnedMemory::with).unwrap_or_default();
     let mut rivals = Vec::new();
     let mut enter = |b: String, promised: bool, path| {
-        rivals.push(Rival { path, pair: Pair::new(b, promised), times: Vec::new() });
+        rivals.push(Candidate { path, pair: Pair::new(b, promised), times: Vec::new() });
     };
     // a device refuses the half stencil; beside the CPU's other paths it is left out
     let leaves_out = paths.cpu && scene.grid.traversal == Traversal::HalfStencil;
@@ -190,7 +190,7 @@ pub fn compare(
             };
             rival.times.push(ms);
             if i == 0 {
-                meddle(step, &mut got);
+                tamper(step, &mut got);
             }
             if let Some(found) = difference(&want, &got) {
                 rival.pair.note(step, found, scene);

@@ -28,14 +28,14 @@ fn stored(scene: &Scene, fluid: &Fluid, constants: &FluidConstants, deviation: f
     let e = deviation;
     let by_state = constants.state_stiffness / f64::from(fluid.rest_density);
     // where there is no suction there is no pressure below the rest density
-    let relaxed = e <= 0.0 && !scene.model.suction;
+    let relaxed = e <= 0.0 && !scene.model.negative_pressure;
     let whole = match constants.equation_of_state {
         EquationOfState::Tait if !relaxed => by_state * (((1.0 + e).powi(6) - 1.0) / 6.0 + 1.0 / (1.0 + e) - 1.0),
-        EquationOfState::Desbrun if !relaxed => by_state * (e.ln_1p() + 1.0 / (1.0 + e) - 1.0),
+        EquationOfState::Linear if !relaxed => by_state * (e.ln_1p() + 1.0 / (1.0 + e) - 1.0),
         EquationOfState::IdealGas => by_state * e.ln_1p(),
         _ => 0.0,
     };
-    // Mueller's form is half of the gradient (S0 eq. 2.19), so it does half of the work
+    // Mueller's form is half of the gradient (Pirovano eq. 2.19), so it does half of the work
     let half = matches!(scene.model.pressure_force, PressureForce::Mueller | PressureForce::MuellerAdapted);
     if half { whole * 0.5 } else { whole }
 }
@@ -55,7 +55,7 @@ pub(crate) fn total(scene: &Checked<'_>, solver: &Solver<'_>) -> f64 {
 pub(crate) fn scale(scene: &Checked<'_>, solver: &Solver<'_>) -> f64 {
     let gravity = scene.gravity.map(f64::from);
     let heights = || {
-        let fluid = solver.particles().filter(|particle| !particle.wall && !particle.dormant);
+        let fluid = solver.particles().filter(|particle| !particle.wall && !particle.inactive);
         fluid.map(|p| -> f64 { p.position.to_array().iter().zip(gravity).map(|(x, g)| -g * f64::from(*x)).sum() })
     };
     let (low, high) = (heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max));
@@ -69,7 +69,7 @@ pub(crate) fn scale(scene: &Checked<'_>, solver: &Solver<'_>) -> f64 {
 
 /// Sum over the fluid of its particles' masses times `energy`, J/kg.
 fn sum(scene: &Checked<'_>, solver: &Solver<'_>, energy: impl Fn(&Fluid, &FluidConstants, &Particle) -> f64) -> f64 {
-    let fluid: Vec<Particle> = solver.particles().filter(|particle| !particle.wall && !particle.dormant).collect();
+    let fluid: Vec<Particle> = solver.particles().filter(|particle| !particle.wall && !particle.inactive).collect();
     let volume = scene.derived().particle_mass / f64::from(scene.fluid.rest_density);
     let (slots, state) = (solver.slots(), solver.state());
     let of = |i: usize| {
@@ -108,17 +108,17 @@ mod tests {
     #[test]
     fn what_is_stored_is_the_work_of_the_pressure() {
         let mut scene = scene("still-tank");
-        for equation in [EquationOfState::Tait, EquationOfState::Desbrun, EquationOfState::IdealGas] {
+        for equation in [EquationOfState::Tait, EquationOfState::Linear, EquationOfState::IdealGas] {
             scene.model.equation_of_state = equation;
             // a gas has no weight to start with
-            scene.model.hydrostatic_start = false;
+            scene.model.initialize_hydrostatic = false;
             let checked = scene.check().expect("a scene");
             let constants = checked.derived().fluid(0);
             let pressure = |e: f64| {
                 let by_state = constants.state_stiffness / f64::from(scene.fluid.rest_density);
                 match equation {
                     EquationOfState::Tait => by_state * ((1.0 + e).powi(7) - 1.0),
-                    EquationOfState::Desbrun => by_state * e,
+                    EquationOfState::Linear => by_state * e,
                     EquationOfState::IdealGas => by_state * (1.0 + e),
                 }
             };

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::output::{deliver, make_folder, progress};
 use crate::plot::{Mark, front_plot};
 use crate::pool::Pool;
-use crate::scenes::{Named, load};
+use crate::scenes::{LoadedScene, load};
 use millpond_core::OwnedMemory;
 use millpond_core::Solver;
 use millpond_core::hash::tree_sum;
@@ -118,10 +118,10 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
 ///
 /// # Errors
 /// Files that cannot be written.
-pub fn study(base: &Named, ladder: &Ladder, pool: &Pool, folder: Option<&Path>) -> Result<Study, Failure> {
+pub fn study(base: &LoadedScene, ladder: &Ladder, pool: &Pool, folder: Option<&Path>) -> Result<Study, Failure> {
     let choices = ladder.spacings.iter().flat_map(|spacing| {
         let courant = ladder.courant.iter();
-        courant.flat_map(move |c| [EquationOfState::Tait, EquationOfState::Desbrun].map(|eos| (*spacing, *c, eos)))
+        courant.flat_map(move |c| [EquationOfState::Tait, EquationOfState::Linear].map(|eos| (*spacing, *c, eos)))
     });
     let choices: Vec<_> = choices.collect();
     let bar = progress("error still-tank", choices.len() as u64);
@@ -168,7 +168,7 @@ pub fn study(base: &Named, ladder: &Ladder, pool: &Pool, folder: Option<&Path>) 
 }
 
 /// Error of the mean profile, and wall time per simulated second.
-fn measure(base: &Named, scene: &Scene, pool: &Pool, seconds: f64) -> Result<(f64, f64), Failure> {
+fn measure(base: &LoadedScene, scene: &Scene, pool: &Pool, seconds: f64) -> Result<(f64, f64), Failure> {
     let checked = scene.check().map_err(|error| Failure::Scene { origin: base.name.clone(), error })?;
     let mut heap = OwnedMemory::of(&checked);
     let mut solver = crate::fluid::start(&base.name, scene, &mut heap)?;

@@ -2,7 +2,7 @@
 use crate::arguments::BackendName;
 use crate::failure::Failure;
 use crate::pool::Pool;
-use crate::scenes::Named;
+use crate::scenes::LoadedScene;
 use crate::snapshot::Snapshot;
 use millpond_core::OwnedMemory;
 use millpond_core::layout::{Materials, Parameters, u32x4};
@@ -50,7 +50,7 @@ impl<'a> Fluid<'a> {
     /// # Errors
     /// A scene that cannot start, or no such backend.
     pub fn start(
-        named: &Named,
+        named: &LoadedScene,
         backend: BackendName,
         heap: &'a mut OwnedMemory,
         pool: &'a Pool,
@@ -130,8 +130,8 @@ impl<'a> Fluid<'a> {
             Fluid::Cpu { solver, .. } => solver.energies().elastic,
             Fluid::Gpu { springs, .. } => {
                 let rest = |id: u32| {
-                    let kind = state.velocity()[id as usize][3] as usize;
-                    springs.materials.species.get(kind).map_or(1.0, |species| species[2])
+                    let material = state.velocity()[id as usize][3] as usize;
+                    springs.materials.properties.get(material).map_or(1.0, |row| row[2])
                 };
                 let particle = |id: u32| (state.position()[id as usize], rest(id));
                 energy(&springs.plan, &springs.parameters, (&springs.ranges, state.spring_ends()), particle)

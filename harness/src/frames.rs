@@ -1,9 +1,9 @@
 //! Pictures of a run: which states are drawn, and how a scene looks.
 use crate::failure::Failure;
 use crate::paint::{Colouring, Frame, Swatch, View, paint};
-use crate::scenes::{Camera, Named, SceneFile, Shade};
+use crate::run_length::RunLength;
+use crate::scenes::{Camera, LoadedScene, SceneFile, Shade};
 use crate::snapshot::Snapshot;
-use crate::span::Span;
 use glam::Vec3;
 use millpond_core::derive::{Material, material_of};
 use millpond_core::layout::f32x4;
@@ -18,32 +18,32 @@ const RADIUS: f32 = 0.55;
 
 /// A row of pictures, evenly over a run.
 #[derive(Debug)]
-pub struct Film<'a> {
-    scene: Option<(&'a Named, PathBuf)>,
-    span: Span,
+pub struct FrameRecorder<'a> {
+    scene: Option<(&'a LoadedScene, PathBuf)>,
+    span: RunLength,
     /// How many there are to be, and which of them is next.
     count: u64,
     next: u64,
     pictures: Vec<PathBuf>,
 }
 
-impl<'a> Film<'a> {
+impl<'a> FrameRecorder<'a> {
     /// No pictures.
     #[must_use]
-    pub fn none() -> Film<'a> {
-        Film { scene: None, span: Span::Steps(0), count: 0, next: 0, pictures: Vec::new() }
+    pub fn none() -> FrameRecorder<'a> {
+        FrameRecorder { scene: None, span: RunLength::Steps(0), count: 0, next: 0, pictures: Vec::new() }
     }
 
     /// `count` pictures in `folder`, but no more than there are states: the last of them at the end of the span, the first,
     /// where there is more than one, of the start.
     #[must_use]
-    pub fn new(named: &'a Named, folder: &Path, count: u64, span: Span) -> Film<'a> {
+    pub fn new(named: &'a LoadedScene, folder: &Path, count: u64, span: RunLength) -> FrameRecorder<'a> {
         let count = match span {
-            Span::Steps(steps) => count.min(steps.saturating_add(1)),
+            RunLength::Steps(steps) => count.min(steps.saturating_add(1)),
             // of those that are due in one step one is drawn
-            Span::Seconds(_) => count,
+            RunLength::Seconds(_) => count,
         };
-        Film { scene: Some((named, folder.to_owned())), span, count, next: 0, pictures: Vec::new() }
+        FrameRecorder { scene: Some((named, folder.to_owned())), span, count, next: 0, pictures: Vec::new() }
     }
 
     /// When the next state is to be drawn, in the unit of the span.
@@ -54,8 +54,10 @@ impl<'a> Film<'a> {
         }
         let (left, parts) = (self.count - 1 - self.next, self.count.saturating_sub(1).max(1));
         Some(match self.span {
-            Span::Steps(steps) => (steps - (u128::from(steps) * u128::from(left) / u128::from(parts)) as u64) as f64,
-            Span::Seconds(seconds) => seconds * (1.0 - left as f64 / parts as f64),
+            RunLength::Steps(steps) => {
+                (steps - (u128::from(steps) * u128::from(left) / u128::from(parts)) as u64) as f64
+            }
+            RunLength::Seconds(seconds) => seconds * (1.0 - left as f64 / parts as f64),
         })
     }
 
@@ -63,7 +65,7 @@ impl<'a> Film<'a> {
     ///
     /// # Errors
     /// The picture cannot be written.
-    pub fn shoot(&mut self, passed: f64, time: f64, state: &Snapshot) -> Result<(), Failure> {
+    pub fn capture(&mut self, passed: f64, time: f64, state: &Snapshot) -> Result<(), Failure> {
         let Some((named, folder)) = &self.scene else { return Ok(()) };
         if self.next().is_none_or(|due| passed < due) {
             return Ok(());
@@ -73,8 +75,8 @@ impl<'a> Film<'a> {
         self.pictures.push(path);
         // the next that is not due yet
         self.next += match self.span {
-            Span::Steps(_) => 1,
-            Span::Seconds(seconds) => {
+            RunLength::Steps(_) => 1,
+            RunLength::Seconds(seconds) => {
                 let parts = self.count.saturating_sub(1).max(1) as f64;
                 ((passed / seconds * parts) as u64).saturating_sub(self.next).saturating_add(1)
             }
@@ -90,10 +92,10 @@ impl<'a> Film<'a> {
 }
 
 /// Draws one state.
-fn draw(named: &Named, time: f64, state: &Snapshot, path: &Path) -> Result<(), Failure> {
+fn draw(named: &LoadedScene, time: f64, state: &Snapshot, path: &Path) -> Result<(), Failure> {
     let scene = &named.file.scene;
     let bounds = bounds(scene, state);
-    let cast = Cast::of(&named.file, state);
+    let cast = FrameContent::of(&named.file, state);
     let positions: Vec<f32x4> = cast.beads.iter().map(|bead| bead.position).collect();
     let caption = format!("{}   t = {time:.2} s   {} particles", named.name, cast.present);
     let frame = Frame {
@@ -113,7 +115,7 @@ fn draw(named: &Named, time: f64, state: &Snapshot, path: &Path) -> Result<(), F
 
 /// A particle of a fluid, as far as a picture can show it.
 #[derive(Clone, Copy, Debug)]
-struct Bead {
+struct DrawParticle {
     position: f32x4,
     /// m/s.
     speed: f32,
@@ -125,23 +127,23 @@ struct Bead {
 
 /// Who is in a picture.
 #[derive(Debug, Default)]
-struct Cast {
+struct FrameContent {
     /// Particles of the fluids.
-    beads: Vec<Bead>,
+    beads: Vec<DrawParticle>,
     /// Places of walls' particles that hide nothing.
     walls: Vec<f32x4>,
     /// Particles that there are, shown or not.
     present: usize,
 }
 
-impl Cast {
-    fn of(file: &SceneFile, state: &Snapshot) -> Cast {
+impl FrameContent {
+    fn of(file: &SceneFile, state: &Snapshot) -> FrameContent {
         let scene = &file.scene;
-        let mut cast = Cast::default();
+        let mut cast = FrameContent::default();
         for ((x, v), d) in state.position().iter().zip(state.velocity()).zip(state.density_pressure()) {
             let [vx, vy, vz, material] = *v;
             match material_of(material as u32, scene) {
-                Some(Material::Fluid(fluid)) => cast.beads.push(Bead {
+                Some(Material::Fluid(fluid)) => cast.beads.push(DrawParticle {
                     position: *x,
                     speed: Vec3::new(vx, vy, vz).length(),
                     density: (d[0] + 1.0) * scene.fluid_of(fluid).rest_density,
@@ -149,7 +151,7 @@ impl Cast {
                 }),
                 Some(Material::Wall(wall)) if is_in_sight(file, wall, x[1]) => cast.walls.push(*x),
                 Some(Material::Wall(_)) => {}
-                Some(Material::Dormant) | None => continue,
+                Some(Material::Inactive) | None => continue,
             }
             cast.present += 1;
         }
@@ -169,9 +171,12 @@ fn is_in_sight(file: &SceneFile, wall: u32, y: f32) -> bool {
 }
 
 /// What colours the particles.
-fn colouring(file: &SceneFile, beads: &[Bead]) -> Colouring {
-    let numbers =
-        |of: fn(&Bead) -> f32, range, label| Colouring::Numbers { of: beads.iter().map(of).collect(), range, label };
+fn colouring(file: &SceneFile, beads: &[DrawParticle]) -> Colouring {
+    let numbers = |of: fn(&DrawParticle) -> f32, range, label| Colouring::Numbers {
+        of: beads.iter().map(of).collect(),
+        range,
+        label,
+    };
     match file.shade {
         Shade::Speed(low, high) => numbers(|bead| bead.speed, [low, high], "speed, m/s"),
         Shade::Density(low, high) => numbers(|bead| bead.density, [low, high], "density, kg/m3"),

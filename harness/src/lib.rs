@@ -3,12 +3,11 @@
 //!
 //! Each command has a module of its own: [`run`], [`compare`], [`mod@bench`], [`plan_view`], [`error_study`], [`check`],
 //! [`stability`], and [`showcase`], which is what happens without any. They share [`scenes`] (what runs), [`fluid`] (a
-//! scene on a backend), [`census`] (what can be said of it), [`extremes`] (what no scene should be) and the drawing in
+//! scene on a backend), [`state_summary`] (what can be said of it), [`extremes`] (what no scene should be) and the drawing in
 //! [`paint`], [`frames`] and [`plot`].
 
 pub mod arguments;
 pub mod bench;
-pub mod census;
 pub mod check;
 pub mod cli;
 pub mod compare;
@@ -25,11 +24,12 @@ pub mod plan_view;
 pub mod plot;
 pub mod pool;
 pub mod run;
+pub mod run_length;
 pub mod scenes;
 pub mod showcase;
 pub mod snapshot;
-pub mod span;
 pub mod stability;
+pub mod state_summary;
 pub mod timing;
 pub mod warnings;
 

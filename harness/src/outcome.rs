@@ -14,7 +14,7 @@ pub enum Sense {
 
 /// A measured number and its limit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Figure {
+pub struct Metric {
     /// What was measured.
     pub name: String,
     /// How much it is.
@@ -27,17 +27,17 @@ pub struct Figure {
     pub ok: bool,
 }
 
-impl Figure {
+impl Metric {
     /// One that must not be above its limit.
     #[must_use]
-    pub fn below(name: impl Into<String>, value: f64, limit: f64) -> Figure {
-        Figure { name: name.into(), value, limit, sense: Sense::AtMost, ok: value <= limit }
+    pub fn below(name: impl Into<String>, value: f64, limit: f64) -> Metric {
+        Metric { name: name.into(), value, limit, sense: Sense::AtMost, ok: value <= limit }
     }
 
     /// One that must not be below its limit.
     #[must_use]
-    pub fn above(name: impl Into<String>, value: f64, limit: f64) -> Figure {
-        Figure { name: name.into(), value, limit, sense: Sense::AtLeast, ok: value >= limit }
+    pub fn above(name: impl Into<String>, value: f64, limit: f64) -> Metric {
+        Metric { name: name.into(), value, limit, sense: Sense::AtLeast, ok: value >= limit }
     }
 }
 
@@ -49,7 +49,7 @@ pub struct Outcome {
     /// Are all figures within their limits?
     pub passed: bool,
     /// What was measured.
-    pub figures: Vec<Figure>,
+    pub figures: Vec<Metric>,
     /// What else is to be known: paragraphs and tables, with no limit to them.
     pub notes: Vec<String>,
 }
@@ -57,7 +57,7 @@ pub struct Outcome {
 impl Outcome {
     /// It passes where all figures do.
     #[must_use]
-    pub fn new(name: &str, figures: Vec<Figure>, notes: Vec<String>) -> Outcome {
+    pub fn new(name: &str, figures: Vec<Metric>, notes: Vec<String>) -> Outcome {
         Outcome { name: name.to_owned(), passed: figures.iter().all(|figure| figure.ok), figures, notes }
     }
 
@@ -67,7 +67,7 @@ impl Outcome {
         let verdict = if self.passed { "passed" } else { "FELL SHORT" };
         let mut out = format!("# {}: {about}: {verdict}\n\n", self.name);
         out += "| figure | value | limit | |\n| --- | --- | --- | --- |\n";
-        for Figure { name, value, limit, sense, ok } in &self.figures {
+        for Metric { name, value, limit, sense, ok } in &self.figures {
             let sign = match sense {
                 Sense::AtMost => "<=",
                 Sense::AtLeast => ">=",
@@ -102,9 +102,9 @@ mod tests {
 
     #[test]
     fn a_number_that_is_none_never_passes() {
-        assert!(!Figure::below("", f64::NAN, 1.0).ok);
-        assert!(!Figure::above("", f64::NAN, 1.0).ok);
-        assert!(Figure::below("", 1.0, 1.0).ok && !Figure::below("", 1.1, 1.0).ok);
-        assert!(Figure::above("", 1.0, 1.0).ok && !Figure::above("", 0.9, 1.0).ok);
+        assert!(!Metric::below("", f64::NAN, 1.0).ok);
+        assert!(!Metric::above("", f64::NAN, 1.0).ok);
+        assert!(Metric::below("", 1.0, 1.0).ok && !Metric::below("", 1.1, 1.0).ok);
+        assert!(Metric::above("", 1.0, 1.0).ok && !Metric::above("", 0.9, 1.0).ok);
     }
 }

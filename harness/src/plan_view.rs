@@ -3,7 +3,7 @@ use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::output::deliver;
 use crate::pool::Pool;
-use crate::scenes::{Named, load};
+use crate::scenes::{LoadedScene, load};
 use crate::timing::{Milliseconds, timed};
 use millpond_core::OwnedMemory;
 use millpond_core::layout::Model;
@@ -112,7 +112,7 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
 ///
 /// # Errors
 /// A scene that cannot run.
-pub fn view(named: &Named, pool: &Pool, steps: u32) -> Result<PlanView, Failure> {
+pub fn view(named: &LoadedScene, pool: &Pool, steps: u32) -> Result<PlanView, Failure> {
     let scene = &named.checked()?;
     let plan = Plan::of(scene);
     let requirements = Requirements::of(scene);
@@ -168,21 +168,21 @@ fn bytes_saved(scene: &Checked<'_>, requirements: &Requirements, what: &str) -> 
 type Include = fn(&mut Model);
 const OPTIONAL: &[(&str, Include)] = &[
     ("cell lists", |m| m.cell_places = m.cell_places.max(USUAL_PLACES)),
-    ("XSPH", |m| m.xsph = 1),
-    ("thermal energy", |m| m.thermal_energy = 1),
-    ("variable support", |m| m.variable_support = 1),
+    ("XSPH", |m| m.has_xsph = 1),
+    ("thermal energy", |m| m.has_internal_energy = 1),
+    ("variable support", |m| m.has_variable_support = 1),
     ("pressure correction", |m| m.pressure_solver = PRESSURE_CORRECTION),
     ("kernel tables", |m| m.evaluation = TABLE),
-    ("normals", |m| m.normals = 1),
-    ("elasticity", |m| m.springs = 1),
-    ("plasticity", |m| (m.springs, m.plastic) = (1, 1)),
-    ("air", |m| m.air = 1),
+    ("normals", |m| m.has_normals = 1),
+    ("elasticity", |m| m.has_springs = 1),
+    ("plasticity", |m| (m.has_springs, m.is_plastic) = (1, 1)),
+    ("air", |m| m.has_air = 1),
 ];
 
 /// The same requirements by another model of the scene.
 fn with(scene: &Checked<'_>, requirements: &Requirements, model: Model) -> Requirements {
     let mut counts = requirements.counts;
-    if model.springs == 1 && counts.spring_ends == 0 {
+    if model.has_springs == 1 && counts.spring_ends == 0 {
         counts.spring_ends = ends_if_elastic(scene);
     }
     Requirements::by_model(model, counts)
@@ -209,7 +209,7 @@ fn everything(scene: &Checked<'_>, requirements: &Requirements) -> usize {
 }
 
 /// Times the two plans in turn, so that both meet the same mood of the machine.
-fn time(named: &Named, pool: &Pool, steps: u32) -> Result<[Milliseconds; 2], Failure> {
+fn time(named: &LoadedScene, pool: &Pool, steps: u32) -> Result<[Milliseconds; 2], Failure> {
     let scene = &named.checked()?;
     let plans = [Plan::of(scene), Plan::everything(scene)];
     let mut heaps = plans.map(|plan| OwnedMemory::with(&Requirements::by_plan(scene, &plan)));

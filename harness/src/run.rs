@@ -1,14 +1,14 @@
 //! `run`: a scene on one backend, with pictures if asked.
 use crate::arguments::{BackendName, Common, Length};
-use crate::census::{FirstLast, census};
 use crate::failure::Failure;
 use crate::fluid::Fluid;
-use crate::frames::Film;
+use crate::frames::FrameRecorder;
 use crate::output::{deliver, make_folder, progress};
 use crate::pool::Pool;
-use crate::scenes::{Named, load};
+use crate::run_length::RunLength;
+use crate::scenes::{LoadedScene, load};
 use crate::snapshot::Snapshot;
-use crate::span::Span;
+use crate::state_summary::{FirstLast, summarize};
 use crate::timing::{Milliseconds, timed};
 use crate::warnings::{gained, warnings};
 use millpond_core::OwnedMemory;
@@ -45,7 +45,7 @@ const STEPS_AT_ONCE: u64 = 16;
 pub fn execute(options: &Options) -> Result<bool, Failure> {
     let named = load(&options.common.scene, &options.common.changes)?;
     let scene = &named.file.scene;
-    let span = options.length.of(scene, || Span::of_seconds(scene, named.file.duration))?;
+    let span = options.length.of(scene, || RunLength::of_seconds(scene, named.file.duration))?;
     let pool = Pool::new(options.common.threads)?;
     let frames = options.frames.unwrap_or(1);
     let folder = options.common.out.as_deref();
@@ -59,32 +59,32 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
 /// # Errors
 /// As for [`execute`].
 pub fn run(
-    named: &Named,
+    named: &LoadedScene,
     backend: BackendName,
     pool: &Pool,
-    span: Span,
+    span: RunLength,
     pictures: Option<(&Path, u64)>,
 ) -> Result<Outcome, Failure> {
     let scene = &named.checked()?;
     let mut heap = OwnedMemory::of(scene);
     let mut fluid = Fluid::start(named, backend, &mut heap, pool)?;
     let first = fluid.snapshot()?;
-    let first_census = census(scene, &first)?;
+    let first_summary = summarize(scene, &first)?;
     let first_elastic = fluid.elastic_energy(&first);
-    let mut film = Film::none();
+    let mut film = FrameRecorder::none();
     if let Some((folder, count)) = pictures {
         make_folder(folder)?;
-        film = Film::new(named, folder, count, span);
+        film = FrameRecorder::new(named, folder, count, span);
     }
 
     // a bar counts whole numbers: steps, or thousandths of a time
-    let per_unit = if matches!(span, Span::Steps(_)) { 1.0 } else { 1000.0 / span.length() };
+    let per_unit = if matches!(span, RunLength::Steps(_)) { 1.0 } else { 1000.0 / span.length() };
     let bar = progress(&format!("run {}", named.name), (span.length() * per_unit) as u64);
     let mut times = Vec::new();
     let mut done = 0;
     let mut clock = fluid.time_report()?;
     let mut lengths = Vec::new();
-    film.shoot(0.0, 0.0, &first)?;
+    film.capture(0.0, 0.0, &first)?;
     let start = std::time::Instant::now();
     while span.passed(done, clock.time) < span.length() {
         let until = film.next().unwrap_or(span.length()).min(span.length());
@@ -99,7 +99,7 @@ pub fn run(
         let passed = span.passed(done, clock.time);
         bar.set_position((passed * per_unit) as u64);
         if film.next().is_some_and(|due| passed >= due) {
-            film.shoot(passed, clock.time, &fluid.snapshot()?)?;
+            film.capture(passed, clock.time, &fluid.snapshot()?)?;
         }
     }
     let wall_s = start.elapsed().as_secs_f64();
@@ -120,12 +120,12 @@ pub fn run(
         }
         None => None,
     };
-    let last_census = census(scene, &last)?;
-    let neighbours = FirstLast { first: first_census.average_neighbours, last: last_census.average_neighbours };
+    let last_summary = summarize(scene, &last)?;
+    let neighbours = FirstLast { first: first_summary.average_neighbours, last: last_summary.average_neighbours };
     let refused = air.map_or(0, |air: Air| air.refused);
-    let mut warnings = warnings(scene, &last_census, refused);
+    let mut warnings = warnings(scene, &last_summary, refused);
     warnings.extend(held(&clock));
-    warnings.extend(gained(scene, &first_census, &last_census));
+    warnings.extend(gained(scene, &first_summary, &last_summary));
     Ok(Outcome {
         scene: named.name.clone(),
         backend: fluid.backend(),
@@ -140,18 +140,18 @@ pub fn run(
             smallest: f64::from(lengths.iter().copied().fold(clock.time_step, f32::min)),
             largest: f64::from(lengths.iter().copied().fold(clock.time_step, f32::max)),
             last: f64::from(clock.time_step),
-            redone: clock.redone,
+            rejected_steps: clock.rejected_steps,
             held: clock.held,
         },
-        courant: last_census.courant.into(),
-        density_error: last_census.density_error.into(),
+        courant: last_summary.courant.into(),
+        density_error: last_summary.density_error.into(),
         energy: Energy {
-            kinetic: FirstLast { first: first_census.energies.kinetic, last: last_census.energies.kinetic },
+            kinetic: FirstLast { first: first_summary.energies.kinetic, last: last_summary.energies.kinetic },
             internal: scene
                 .model
-                .thermal_energy
-                .then_some(FirstLast { first: thermal_energy(scene, &first), last: thermal_energy(scene, &last) }),
-            potential: FirstLast { first: first_census.energies.potential, last: last_census.energies.potential },
+                .internal_energy
+                .then_some(FirstLast { first: internal_energy(scene, &first), last: internal_energy(scene, &last) }),
+            potential: FirstLast { first: first_summary.energies.potential, last: last_summary.energies.potential },
             elastic: scene
                 .fluids()
                 .any(|fluid| fluid.elastic_stiffness > 0.0)
@@ -174,7 +174,7 @@ fn held(clock: &TimeReport) -> Option<String> {
 }
 
 /// Thermal energy of a state, J.
-fn thermal_energy(scene: &Checked<'_>, state: &Snapshot) -> f64 {
+fn internal_energy(scene: &Checked<'_>, state: &Snapshot) -> f64 {
     let mass = scene.derived().particle_mass / f64::from(scene.fluid.rest_density);
     let density = |v: &f32x4| match material_of(v[3] as u32, scene) {
         Some(Material::Fluid(fluid)) => f64::from(scene.fluid_of(fluid).rest_density),

@@ -51,14 +51,14 @@ pub enum Shade {
 
 /// A scene by the name it was asked for.
 #[derive(Clone, Debug)]
-pub struct Named {
+pub struct LoadedScene {
     /// Built-in name, or name of the file without its extension.
     pub name: String,
     /// What it says.
     pub file: SceneFile,
 }
 
-impl Named {
+impl LoadedScene {
     /// The scene with all that follows from it.
     ///
     /// # Errors
@@ -108,7 +108,7 @@ pub struct Changes {
 ///
 /// # Errors
 /// No such scene, a text that is none, a change that does not fit, or a scene that cannot run.
-pub fn load(name: &str, changes: &Changes) -> Result<Named, Failure> {
+pub fn load(name: &str, changes: &Changes) -> Result<LoadedScene, Failure> {
     let built_in = BUILT_IN.iter().find(|(known, _)| *known == name);
     let path = Path::new(name);
     let (text, origin) = match built_in {
@@ -138,7 +138,7 @@ pub fn load(name: &str, changes: &Changes) -> Result<Named, Failure> {
         return Err(Failure::Call(format!("duration is {}, and must be larger than 0", file.duration)));
     }
     let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned());
-    Ok(Named { name: if built_in.is_some() { name.to_owned() } else { stem.unwrap_or_default() }, file })
+    Ok(LoadedScene { name: if built_in.is_some() { name.to_owned() } else { stem.unwrap_or_default() }, file })
 }
 
 /// The scene of a RON text.
@@ -239,7 +239,7 @@ fn scale(scene: &mut Scene, now: usize, particles: u64) -> Result<(), Failure> {
         grow(low);
         grow(high);
     }
-    if let Some(field) = &mut scene.field {
+    if let Some(field) = &mut scene.acceleration_field {
         grow(&mut field.low);
         field.spacing = (f64::from(field.spacing) * factor) as f32;
     }

@@ -8,8 +8,8 @@ use crate::output::{make_folder, say, write_text};
 use crate::plan_view;
 use crate::pool::Pool;
 use crate::run::{self, run};
+use crate::run_length::RunLength;
 use crate::scenes::{Changes, load};
-use crate::span::Span;
 use std::path::Path;
 
 /// Where the showcase writes.
@@ -44,11 +44,11 @@ pub fn execute() -> Result<bool, Failure> {
         tell("No Vulkan device here: the GPU is left out. A software one will do (Debian: mesa-vulkan-drivers).\n")?;
     }
     let paths = Paths { cpu: true, threads: 2, devices };
-    let comparison = compare(&named, Span::Steps(COMPARED_STEPS), &paths, &mut |_, _| ())?;
+    let comparison = compare(&named, RunLength::Steps(COMPARED_STEPS), &paths, &mut |_, _| ())?;
     tell(&compare::table(&comparison))?;
 
     tell("## A dam break\n")?;
-    let span = Span::of_seconds(scene, named.file.duration)?;
+    let span = RunLength::of_seconds(scene, named.file.duration)?;
     let outcome = run(&named, BackendName::Cpu, &pool, span, Some((folder, PICTURES)))?;
     tell(below_heading(&run::report(&named, &outcome)))?;
 

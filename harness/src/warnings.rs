@@ -1,6 +1,6 @@
 //! What a user should know of a scene that ran: choices that are known to end badly, and limits of the time step.
-use crate::census::Census;
 use crate::energy::{GROWTH_LIMIT, driven_by};
+use crate::state_summary::StateSummary;
 use millpond_core::Checked;
 use millpond_core::derive::kernel_constants::slope;
 use millpond_core::derive::{FluidConstants, average_neighbours, support_radius};
@@ -28,7 +28,7 @@ const COMPRESSION_LIMIT: f64 = 0.03;
 
 /// All that there is to say of a state, and of a run in which so many births of air found no particle.
 #[must_use]
-pub fn warnings(scene: &Checked<'_>, state: &Census, births_refused: u64) -> Vec<String> {
+pub fn warnings(scene: &Checked<'_>, state: &StateSummary, births_refused: u64) -> Vec<String> {
     let time_step = state.time_step;
     let mut warnings = Vec::new();
     warnings.extend(courant(state.courant));
@@ -36,11 +36,11 @@ pub fn warnings(scene: &Checked<'_>, state: &Census, births_refused: u64) -> Vec
     warnings.extend(resolution(scene, state.farthest));
     warnings.extend(scene.fluids().find_map(|fluid| capillary(scene, fluid, time_step)));
     warnings.extend(scene.derived().fluids.iter().find_map(|fluid| springs(scene, fluid, time_step)));
-    if scene.model.near_pressure != NearPressure::Off && !scene.model.suction {
+    if scene.model.near_pressure != NearPressure::Off && !scene.model.negative_pressure {
         warnings
             .push("near pressure without suction has nothing to balance it: this liquid will expand like a gas".into());
     }
-    if scene.field.is_some() {
+    if scene.acceleration_field.is_some() {
         warnings.push(
             "the scene's field is its host's to fill, and this program fills none: it acts as if it were 0".into(),
         );
@@ -61,9 +61,9 @@ pub fn warnings(scene: &Checked<'_>, state: &Census, births_refused: u64) -> Vec
 
 /// Did what nothing drives gain energy between these two states? Where springs or surfaces store some, nobody can say.
 #[must_use]
-pub fn gained(scene: &Scene, first: &Census, last: &Census) -> Option<String> {
+pub fn gained(scene: &Scene, first: &StateSummary, last: &StateSummary) -> Option<String> {
     let stores = |fluid: &Fluid| fluid.elastic_stiffness > 0.0 || fluid.surface_tension > 0.0;
-    let fields = scene.field.is_some() || scene.air.is_some();
+    let fields = scene.acceleration_field.is_some() || scene.air.is_some();
     if fields || scene.fluids().any(stores) || driven_by(scene).is_some() {
         return None;
     }

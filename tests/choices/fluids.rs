@@ -2,7 +2,7 @@
 use super::Add;
 use super::scenes::{pulled, second_fluid, walls};
 use millpond_core::scene::{
-    Air, DensityForm, Elasticity, EquationOfState, Evaluation, ModelChoice, NearPressure, Periodic, Plasticity,
+    Air, DensityForm, Elasticity, EquationOfState, Evaluation, Formulation, NearPressure, Periodic, Plasticity,
     PressureForce, PressureSolver, SurfaceTension, Viscosity,
 };
 
@@ -34,7 +34,7 @@ pub fn fluids(add: Add<'_>) {
     });
     add("two fluids with everything that mixes them".into(), &|s| {
         second_fluid(s);
-        s.model.thermal_energy = true;
+        s.model.internal_energy = true;
         s.model.evaluation = Evaluation::Table;
         (s.fluid.xsph, s.fluid.radial_exchange, s.ambient_density) = (0.4, 0.3, 20.0);
         s.blocks[1].dynamic_viscosity = Some(0.1);
@@ -45,7 +45,7 @@ pub fn fluids(add: Add<'_>) {
         ("air and walls of particles", SurfaceTension::Off, true),
     ] {
         add(name.into(), &|s| {
-            s.model = ModelChoice { surface_tension: tension, ..ModelChoice::multiphase() };
+            s.model = Formulation { surface_tension: tension, ..Formulation::multiphase() };
             second_fluid(s);
             s.blocks[1].fluid = 0;
             s.air = Some(Air { fluid: 1, capacity: 60, threshold: 0.5, minimum_density: 0.6 });

@@ -2,7 +2,7 @@
 use super::Add;
 use super::scenes::{pulled, second_fluid, walls};
 use millpond_core::scene::{
-    Correction, DensityForm, EquationOfState, Evaluation, Iteration, Kernel, ModelChoice, NearPressure, PressureForce,
+    Correction, DensityForm, EquationOfState, Evaluation, Formulation, Iteration, Kernel, NearPressure, PressureForce,
     PressureSolver, SupportRange, SurfaceTension, Viscosity, WallPressure,
 };
 
@@ -24,7 +24,7 @@ pub fn kernels_and_pressure(add: Add<'_>) {
     for &density in DensityForm::ALL {
         add(format!("density {density:?}"), &|s| s.model.density = density);
         add(format!("density {density:?}, calibrated"), &|s| {
-            (s.model.density, s.model.calibrated_mass) = (density, true);
+            (s.model.density, s.model.normalize_mass) = (density, true);
         });
     }
     for &force in PressureForce::ALL {
@@ -42,15 +42,15 @@ pub fn kernels_and_pressure(add: Add<'_>) {
         }
         add(format!("pressure_force {force:?}, masses that differ"), &|s| {
             s.model.pressure_force = force;
-            s.model.hydrostatic_start = force != PressureForce::NumberDensity;
+            s.model.initialize_hydrostatic = force != PressureForce::NumberDensity;
             s.model.density =
-                if s.model.hydrostatic_start { DensityForm::Continuity } else { DensityForm::NumberDensity };
+                if s.model.initialize_hydrostatic { DensityForm::Continuity } else { DensityForm::NumberDensity };
         });
     }
     for &state in EquationOfState::ALL {
         for suction in [true, false] {
             add(format!("equation_of_state {state:?}, suction {suction}"), &|s| {
-                (s.model.equation_of_state, s.model.suction) = (state, suction);
+                (s.model.equation_of_state, s.model.negative_pressure) = (state, suction);
                 s.model.pressure_force = PressureForce::Monaghan;
             });
         }
@@ -62,7 +62,7 @@ pub fn kernels_and_pressure(add: Add<'_>) {
         {
             add(format!("correction {iteration:?} {force:?} to {tolerance}"), &|s| {
                 s.model.pressure_solver = PressureSolver::PressureCorrection;
-                (s.model.pressure_force, s.model.suction) = (force, false);
+                (s.model.pressure_force, s.model.negative_pressure) = (force, false);
                 s.model.correction = Correction { iteration, iterations: 5, tolerance };
             });
         }
@@ -87,16 +87,16 @@ pub fn viscosity_and_tension(add: Add<'_>) {
                 walls(s);
             });
             add(format!("viscosity {viscosity:?}, walls {wall:?}, two fluids"), &|s| {
-                s.model = ModelChoice { viscosity, wall_pressure: wall, ..ModelChoice::multiphase() };
+                s.model = Formulation { viscosity, wall_pressure: wall, ..Formulation::multiphase() };
                 s.fluid.velocity_exchange = 0.1;
                 walls(s);
                 second_fluid(s);
             });
         }
         add(format!("heat of {viscosity:?}"), &|s| {
-            (s.model.viscosity, s.model.thermal_energy) = (viscosity, true);
+            (s.model.viscosity, s.model.internal_energy) = (viscosity, true);
             s.model.density = DensityForm::SummationAdapted;
-            (s.fluid.velocity_exchange, s.fluid.heat_gain, s.fluid.thermal_energy) = (0.9, 0.7, 1.0);
+            (s.fluid.velocity_exchange, s.fluid.heat_gain, s.fluid.internal_energy) = (0.9, 0.7, 1.0);
         });
     }
     for &tension in SurfaceTension::ALL {
@@ -107,7 +107,7 @@ pub fn viscosity_and_tension(add: Add<'_>) {
             });
         }
         add(format!("surface_tension {tension:?}, two fluids"), &|s| {
-            s.model = ModelChoice { surface_tension: tension, ..ModelChoice::multiphase() };
+            s.model = Formulation { surface_tension: tension, ..Formulation::multiphase() };
             second_fluid(s);
             pulled(s);
         });

@@ -7,8 +7,8 @@ pub fn plainest(scene: &Scene) -> Scene {
     use PressureForce as P;
     let mut s = scene.clone();
     let m = &mut s.model;
-    let one_mass = s.other_fluids.is_empty() && !m.hydrostatic_start;
-    if !m.hydrostatic_start {
+    let one_mass = s.other_fluids.is_empty() && !m.initialize_hydrostatic;
+    if !m.initialize_hydrostatic {
         // a number density times the own mass is the adapted sum
         m.density = if m.density == D::SummationAdapted { D::NumberDensity } else { m.density };
     }
@@ -37,8 +37,8 @@ pub fn plainest(scene: &Scene) -> Scene {
         }
     }
     // a gas has no negative pressure
-    m.suction |= m.equation_of_state == EquationOfState::IdealGas;
-    if m.viscosity != Viscosity::Exchange {
+    m.negative_pressure |= m.equation_of_state == EquationOfState::IdealGas;
+    if m.viscosity != Viscosity::VelocityExchange {
         s.fluid.velocity_exchange = 0.0;
     }
     s

@@ -13,7 +13,7 @@ pub fn base(dimension: Dimension) -> Scene {
     scene.gravity = [1.0, -9.81, 0.0];
     scene.average_neighbours = if dimension == Dimension::Three { 30.0 } else { 18.0 };
     scene.grid = Grid { cells: [8, 8, 4], ..Grid::default() };
-    scene.container = Some(Container { slip: 0.5, bounce: 0.3, ..Container::closed([0.0; 3], [0.8, 0.8, 0.4]) });
+    scene.container = Some(Container { slip: 0.5, restitution: 0.3, ..Container::closed([0.0; 3], [0.8, 0.8, 0.4]) });
     scene
 }
 

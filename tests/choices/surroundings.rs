@@ -2,8 +2,8 @@
 use super::Add;
 use super::scenes::{falls, pulled, second_fluid, walls};
 use millpond_core::scene::{
-    DensityForm, Face, FieldLattice, GridStructure, ModelChoice, NearPressure, Periodic, PressureForce, PressureSolver,
-    Reflection, SupportRange, SurfaceTension, Viscosity, WallPressure, Wind,
+    AccelerationField, DensityForm, Face, Formulation, GridStructure, NearPressure, Periodic, PressureForce,
+    PressureSolver, Reflection, SupportRange, SurfaceTension, Viscosity, WallPressure, Wind,
 };
 
 pub fn surroundings(add: Add<'_>) {
@@ -13,7 +13,7 @@ pub fn surroundings(add: Add<'_>) {
     add("ambient_density".into(), &|s| s.ambient_density = 400.0);
     add("wind".into(), &|s| s.wind = Some(Wind { velocity: [3.0, 1.0, 0.0], drag: 4.0 }));
     add("field".into(), &|s| {
-        s.field = Some(FieldLattice { low: [0.1, 0.1, 0.05], spacing: 0.13, counts: [4, 3, 3] });
+        s.acceleration_field = Some(AccelerationField { low: [0.1, 0.1, 0.05], spacing: 0.13, counts: [4, 3, 3] });
     });
     add("falls".into(), &falls);
     add("no walls".into(), &|s| {
@@ -40,21 +40,21 @@ pub fn surroundings(add: Add<'_>) {
         s.container = None;
         s.periodic = Some(Periodic { low: [0.0; 3], high: [0.8, 0.0, 0.7], axes: [true, false, true] });
         walls(s);
-        s.model = ModelChoice {
+        s.model = Formulation {
             density: DensityForm::Continuity,
-            hydrostatic_start: true,
+            initialize_hydrostatic: true,
             pressure_solver: PressureSolver::PressureCorrection,
             pressure_force: PressureForce::Monaghan,
-            near_pressure: NearPressure::Article,
+            near_pressure: NearPressure::DoubleDensity,
             viscosity: Viscosity::Artificial,
-            thermal_energy: true,
+            internal_energy: true,
             variable_support: Some(SupportRange { smallest: 0.8, largest: 1.2 }),
-            wall_pressure: WallPressure::QuasiFluid,
+            wall_pressure: WallPressure::Dynamic,
             ..s.model
         };
         (s.fluid.xsph, s.fluid.radial_exchange, s.ambient_density) = (0.2, 0.1, 10.0);
         s.wind = Some(Wind { velocity: [1.0, 0.0, 0.0], drag: 1.0 });
-        s.field = Some(FieldLattice { low: [0.0; 3], spacing: 0.3, counts: [3, 3, 3] });
+        s.acceleration_field = Some(AccelerationField { low: [0.0; 3], spacing: 0.3, counts: [3, 3, 3] });
         s.blocks[0].dynamic_viscosity = Some(0.5);
         second_fluid(s);
         s.model.surface_tension = SurfaceTension::NormalCurvature;

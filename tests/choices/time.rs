@@ -2,7 +2,7 @@
 use super::Add;
 use super::scenes::{pulled, second_fluid, walls};
 use millpond_core::scene::{
-    Adaptive, Air, DensityForm, Integrator, ModelChoice, Periodic, Plasticity, PressureForce, PressureSolver,
+    AdaptiveTimeStep, Air, DensityForm, Formulation, Integrator, Periodic, Plasticity, PressureForce, PressureSolver,
     SupportRange, SurfaceTension, Viscosity,
 };
 
@@ -10,7 +10,7 @@ pub fn time(add: Add<'_>) {
     for &integrator in Integrator::ALL {
         add(format!("integrator {integrator:?}"), &|s| s.model.integrator = integrator);
         add(format!("integrator {integrator:?} with heat, XSPH, walls of particles, across a periodic side"), &|s| {
-            s.model = ModelChoice { integrator, thermal_energy: true, viscosity: Viscosity::Artificial, ..s.model };
+            s.model = Formulation { integrator, internal_energy: true, viscosity: Viscosity::Artificial, ..s.model };
             s.model.density = DensityForm::Continuity;
             s.fluid.xsph = 0.3;
             s.container = None;
@@ -22,9 +22,9 @@ pub fn time(add: Add<'_>) {
                 (s.model.integrator, s.model.reevaluate) = (integrator, true);
             });
             add(format!("integrator {integrator:?}, evaluated again with springs and tension"), &|s| {
-                s.model = ModelChoice { integrator, reevaluate: true, ..ModelChoice::multiphase() };
+                s.model = Formulation { integrator, reevaluate: true, ..Formulation::multiphase() };
                 s.model.surface_tension = SurfaceTension::NormalCurvature;
-                (s.fluid.elastic_stiffness, s.fluid.xsph, s.model.thermal_energy) = (500.0, 0.1, true);
+                (s.fluid.elastic_stiffness, s.fluid.xsph, s.model.internal_energy) = (500.0, 0.1, true);
                 s.elasticity.plasticity = Some(Plasticity { rate: 20.0, yield_strain: 0.01 });
                 pulled(s);
             });
@@ -32,14 +32,15 @@ pub fn time(add: Add<'_>) {
         if integrator.allows_changing_steps() {
             add(format!("integrator {integrator:?}, adaptive"), &|s| {
                 s.model.integrator = integrator;
-                s.adaptive = Some(Adaptive { growth: 1.3, ..Adaptive::default() });
+                s.adaptive = Some(AdaptiveTimeStep { max_growth: 1.3, ..AdaptiveTimeStep::default() });
             });
             add(format!("integrator {integrator:?}, adaptive, and made again"), &|s| {
                 s.model.integrator = integrator;
                 // too long a first step, and a criterion that tightens as the blocks meet
                 s.time_step = 0.004;
-                let redo_above = Some(1.01);
-                s.adaptive = Some(Adaptive { speed: None, sound: None, redo_above, ..Adaptive::default() });
+                let reject_ratio = Some(1.01);
+                s.adaptive =
+                    Some(AdaptiveTimeStep { speed: None, sound: None, reject_ratio, ..AdaptiveTimeStep::default() });
             });
         }
     }
@@ -48,17 +49,18 @@ pub fn time(add: Add<'_>) {
         s.model.variable_support = Some(SupportRange { smallest: 0.7, largest: 1.3 });
         s.model.pressure_solver = PressureSolver::PressureCorrection;
         s.model.pressure_force = PressureForce::MonaghanAdapted;
-        s.adaptive = Some(Adaptive { redo_above: Some(1.0), ..Adaptive::default() });
+        s.adaptive = Some(AdaptiveTimeStep { reject_ratio: Some(1.0), ..AdaptiveTimeStep::default() });
     });
     add("adaptive, held at its shortest step".into(), &|s| {
-        s.adaptive = Some(Adaptive { smallest: 0.0009, redo_above: Some(1.0), ..Adaptive::default() });
+        s.adaptive =
+            Some(AdaptiveTimeStep { smallest: 0.0009, reject_ratio: Some(1.0), ..AdaptiveTimeStep::default() });
     });
     add("adaptive with air".into(), &|s| {
-        s.model = ModelChoice::multiphase();
+        s.model = Formulation::multiphase();
         second_fluid(s);
         s.blocks[1].fluid = 0;
         s.air = Some(Air { fluid: 1, capacity: 60, threshold: 0.5, minimum_density: 0.6 });
-        s.adaptive = Some(Adaptive { redo_above: Some(1.0), ..Adaptive::default() });
+        s.adaptive = Some(AdaptiveTimeStep { reject_ratio: Some(1.0), ..AdaptiveTimeStep::default() });
     });
     add("stiffness_for_time_step".into(), &|s| s.stiffness_for_time_step = Some(0.2));
 }

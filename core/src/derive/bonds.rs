@@ -1,4 +1,4 @@
-//! The springs of elastic fluids, made once, at the start (S0 section 2.2.6): who is joined to whom.
+//! The springs of elastic fluids, made once, at the start (Pirovano, section 2.2.6): who is joined to whom.
 use super::derived::Derived;
 use crate::arithmetic::real::{root, vec3};
 use crate::error::SceneError;

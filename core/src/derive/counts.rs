@@ -3,7 +3,7 @@ use super::lattice_sums::MOST_SPACINGS;
 use super::sampling::lattice::{counts, volume};
 use super::sampling::walls::{wall_count, wall_layers};
 use super::scales::Scales;
-use crate::scene::{Block, Dimension, FieldLattice, Scene};
+use crate::scene::{AccelerationField, Block, Dimension, Scene};
 
 /// Particles of a scene.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +39,7 @@ impl Counts {
 
 /// Nodes of the host's field along x, y, z, and in all.
 pub(crate) fn field_counts(scene: &Scene) -> [u32; 4] {
-    let Some(FieldLattice { counts: [x, y, z], .. }) = scene.field else { return [0; 4] };
+    let Some(AccelerationField { counts: [x, y, z], .. }) = scene.acceleration_field else { return [0; 4] };
     let z = if scene.dimension == Dimension::Two { 1 } else { z };
     [x, y, z, x.saturating_mul(y).saturating_mul(z)]
 }

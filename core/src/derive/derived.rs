@@ -31,7 +31,7 @@ pub struct Derived {
     pub wall_particles: usize,
     /// Particles that the coat of air can have: their ids come last.
     pub air_particles: usize,
-    /// Layers of a wall: S1's two with mirrored pressure, S0's three as quasi-fluid; more where the support reaches further.
+    /// Layers of a wall: Hinsch's two with mirrored pressure, Pirovano's three as quasi-fluid; more where the support reaches further.
     pub wall_layers: u32,
     /// Ends of springs that there is room for, two a spring; 0 where no fluid is elastic and no capacity is named.
     pub spring_ends: usize,

@@ -3,7 +3,7 @@ use super::scales::speed_of_sound;
 use crate::scene::{EquationOfState, FLUIDS, Fluid, NearPressure, Scene};
 use heapless::Vec;
 
-/// Near stiffness over c0^2 where a scene does not name it. Our choice: see the errata of S0 section 3.1.
+/// Near stiffness over c0^2 where a scene does not name it. Our choice: see the errata of Pirovano, section 3.1.
 const DEFAULT_NEAR_SHARE: f64 = 0.1;
 
 /// The constants of a fluid.

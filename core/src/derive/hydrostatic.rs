@@ -2,7 +2,7 @@
 use super::fluid::FluidConstants;
 use crate::scene::{Block, EquationOfState, PressureForce, Scene};
 
-/// Density, less the rest density, over it, and pressure in Pa, that hold the weight of the fluid above (S3 section 3.1 per
+/// Density, less the rest density, over it, and pressure in Pa, that hold the weight of the fluid above (Roy, section 3.1 per
 /// errata): `rho = rho0 (1 + rho0 g depth / B)^(1/7)` with Tait's equation. Fluids lie in layers, each from the highest to the
 /// lowest point of its blocks. `own` are the constants of the fluid of this number.
 pub(super) fn hydrostatic_deviation(scene: &Scene, fluid: u32, own: &FluidConstants, position: [f32; 3]) -> (f64, f32) {

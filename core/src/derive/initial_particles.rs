@@ -2,7 +2,7 @@
 //! the air that is not there.
 use super::derived::Derived;
 use super::hydrostatic::hydrostatic_deviation;
-use super::material::{DORMANT, FIRST_BLOCK};
+use super::material::{FIRST_BLOCK, INACTIVE};
 use super::sampling::lattice::{counts, indices};
 use super::sampling::walls::wall_particles;
 use crate::scene::{Dimension, InitialParticle, Scene};
@@ -28,7 +28,7 @@ pub(crate) fn initial_particles(scene: &Scene, derived: &Derived) -> impl Iterat
         }
         let material = if block.dynamic_viscosity.is_some() { FIRST_BLOCK + i as u32 } else { block.fluid };
         let mut particle = InitialParticle::of_fluid(material, position, block.velocity);
-        if scene.model.hydrostatic_start {
+        if scene.model.initialize_hydrostatic {
             let own = derived.fluid(block.fluid);
             let (deviation, pressure) = hydrostatic_deviation(scene, block.fluid, own, position);
             let (mass, deviation) = ((1.0 + deviation) as f32, deviation as f32);
@@ -45,5 +45,5 @@ fn air(scene: &Scene) -> impl Iterator<Item = InitialParticle> {
     if scene.dimension == Dimension::Two {
         corner[2] = 0.0;
     }
-    core::iter::repeat_n(InitialParticle::of_fluid(DORMANT, corner, [0.0; 3]), scene.air_capacity())
+    core::iter::repeat_n(InitialParticle::of_fluid(INACTIVE, corner, [0.0; 3]), scene.air_capacity())
 }

@@ -12,7 +12,7 @@ use core::f64::consts::PI;
 
 /// What a kernel needs of a model: the dimension, 2 or 3. (In 1D those that depend on it are not defined.)
 fn of_dimension(d: usize) -> Model {
-    Model { layers: u32::from(d == 3), ..Model::zeroed() }
+    Model { is_3d: u32::from(d == 3), ..Model::zeroed() }
 }
 
 /// `x^n` by multiplication: the last bit of a library's `pow` is its own affair.
@@ -92,7 +92,7 @@ pub fn integral(f: &dyn Fn(f64) -> f64) -> f64 {
     (0..PARTS).map(part).sum()
 }
 
-/// Constant of the thesis' near slope `(1 - q)^3`: Spiky's, whose slope is `3 (1 - q)^2` (S0 section 3.1 per errata).
+/// Constant of the thesis' near slope `(1 - q)^3`: Spiky's, whose slope is `3 (1 - q)^2` (Pirovano, section 3.1, corrected).
 #[must_use]
 pub fn near_slope_constant(d: usize) -> f64 {
     3.0 * Kernel::Spiky.normalisation(d)

@@ -1,14 +1,14 @@
-//! Filling the tables of kernels (S0 section 4.2.3), from the terms themselves.
+//! Filling the tables of kernels (Pirovano, section 4.2.3), from the terms themselves.
 use crate::arithmetic::double::Double;
 use crate::layout::{Model, TABLE_ENTRIES, Tables};
-use crate::scene::{Evaluation, ModelChoice, Viscosity};
+use crate::scene::{Evaluation, Formulation, Viscosity};
 use crate::terms::kernel::{kernel_curvature, kernel_laplacian, kernel_slope, kernel_w};
 use crate::terms::table::{DENSITY_TABLE, PRESSURE_TABLE, VISCOSITY_TABLE};
 use bytemuck::Zeroable;
 
 /// Fills what is there of `tables`, for `d` dimensions.
-pub(crate) fn fill_tables(choice: &ModelChoice, d: usize, tables: &mut Tables) {
-    let m = Model { layers: u32::from(d == 3), ..Model::zeroed() };
+pub(crate) fn fill_tables(choice: &Formulation, d: usize, tables: &mut Tables) {
+    let m = Model { is_3d: u32::from(d == 3), ..Model::zeroed() };
     let squared = choice.evaluation == Evaluation::SquaredTable;
     let of_viscosity = |q: Double| match choice.viscosity {
         // at no distance: the limit of the smooth ones, where w' / q is w''

@@ -10,13 +10,13 @@ pub(crate) const FIRST_BLOCK: u32 = FLUIDS as u32;
 pub(crate) const FIRST_WALL: u32 = FIRST_BLOCK + BLOCKS as u32;
 
 /// The material of a particle of air that is not there.
-pub(crate) const DORMANT: u32 = MATERIALS as u32 - 1;
+pub(crate) const INACTIVE: u32 = MATERIALS as u32 - 1;
 
 /// What air that is not there has where a particle of a wall has a 1: whatever is more than 0 is held, and this can be told
 /// from a wall.
 pub(crate) const NOT_THERE: f32 = 2.0;
 
-const _: () = assert!((FIRST_WALL as usize) + WALLS <= DORMANT as usize, "room for every material");
+const _: () = assert!((FIRST_WALL as usize) + WALLS <= INACTIVE as usize, "room for every material");
 
 /// What a particle is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,14 +26,14 @@ pub enum Material {
     /// A wall, by number.
     Wall(u32),
     /// Air that is not there.
-    Dormant,
+    Inactive,
 }
 
 /// What a material's number means in a scene, if anything: of a block with a viscosity of its own its fluid.
 #[must_use]
 pub fn material_of(number: u32, scene: &Scene) -> Option<Material> {
     match number {
-        DORMANT => scene.air.map(|_| Material::Dormant),
+        INACTIVE => scene.air.map(|_| Material::Inactive),
         FIRST_WALL.. => {
             let wall = number - FIRST_WALL;
             scene.walls.get(wall as usize).map(|_| Material::Wall(wall))

@@ -2,7 +2,7 @@
 use super::fluid::FluidConstants;
 use super::kernel_constants::{near_slope_constant, power};
 use super::lattice_sums::gradient_squares;
-use super::material::{DORMANT, FIRST_BLOCK, FIRST_WALL, NOT_THERE};
+use super::material::{FIRST_BLOCK, FIRST_WALL, INACTIVE, NOT_THERE};
 use crate::layout::{MATERIALS, MaterialRows, Materials, f32x4};
 use crate::scene::{DensityForm, Fluid, Iteration, NearPressure, Scene};
 
@@ -15,7 +15,7 @@ const VISCOSITY_OF_PARTICLE: f32 = -1.0;
 /// The constants of all materials; `mass` is that of a particle of the first fluid.
 pub(super) fn materials(scene: &Scene, fluids: &[FluidConstants], mass: f64, support: f64) -> Materials {
     Materials {
-        species: species(scene, fluids),
+        properties: properties(scene, fluids),
         states: states(scene, fluids, mass, support),
         corrections: corrections(scene, fluids, support),
     }
@@ -24,35 +24,35 @@ pub(super) fn materials(scene: &Scene, fluids: &[FluidConstants], mass: f64, sup
 /// A row for each material, of its fluid; those that a scene has no use for are of its first.
 fn rows(scene: &Scene, fluids: &[FluidConstants], of: impl Fn(&Fluid, &FluidConstants) -> f32x4) -> MaterialRows {
     let own = |number: u32| of(scene.fluid_of(number), fluids.get(number as usize).unwrap_or(&fluids[0]));
-    let mut kinds = [own(0); MATERIALS];
-    let mut set = |kind: u32, fluid: u32| kinds[kind as usize] = own(fluid);
+    let mut rows = [own(0); MATERIALS];
+    let mut set = |material: u32, fluid: u32| rows[material as usize] = own(fluid);
     (0..fluids.len() as u32).for_each(|number| set(number, number));
-    for (kind, block) in (FIRST_BLOCK..).zip(&scene.blocks) {
-        set(kind, block.fluid);
+    for (material, block) in (FIRST_BLOCK..).zip(&scene.blocks) {
+        set(material, block.fluid);
     }
-    for (kind, wall) in (FIRST_WALL..).zip(&scene.walls) {
-        set(kind, wall.fluid);
+    for (material, wall) in (FIRST_WALL..).zip(&scene.walls) {
+        set(material, wall.fluid);
     }
-    kinds
+    rows
 }
 
 /// Viscosity (negative: that of the particle), 1 for a wall and 2 for air that is not there, rest density over the first fluid's, number of the fluid.
-fn species(scene: &Scene, fluids: &[FluidConstants]) -> MaterialRows {
+fn properties(scene: &Scene, fluids: &[FluidConstants]) -> MaterialRows {
     let ratio = |fluid: &Fluid| fluid.rest_density / scene.fluid.rest_density;
-    let mut kinds = rows(scene, fluids, |fluid, _| [fluid.dynamic_viscosity, 0.0, ratio(fluid), 0.0]);
-    for (number, kind) in kinds.iter_mut().enumerate().take(FIRST_BLOCK as usize) {
-        kind[3] = number as f32;
+    let mut rows = rows(scene, fluids, |fluid, _| [fluid.dynamic_viscosity, 0.0, ratio(fluid), 0.0]);
+    for (number, material) in rows.iter_mut().enumerate().take(FIRST_BLOCK as usize) {
+        material[3] = number as f32;
     }
-    for (kind, block) in kinds[FIRST_BLOCK as usize..].iter_mut().zip(&scene.blocks) {
-        kind[0] = block.dynamic_viscosity.unwrap_or(kind[0]);
-        kind[3] = block.fluid as f32;
+    for (material, block) in rows[FIRST_BLOCK as usize..].iter_mut().zip(&scene.blocks) {
+        material[0] = block.dynamic_viscosity.unwrap_or(material[0]);
+        material[3] = block.fluid as f32;
     }
-    for (kind, wall) in kinds[FIRST_WALL as usize..].iter_mut().zip(&scene.walls) {
-        *kind = [wall.dynamic_viscosity.unwrap_or(VISCOSITY_OF_PARTICLE), 1.0, kind[2], wall.fluid as f32];
+    for (material, wall) in rows[FIRST_WALL as usize..].iter_mut().zip(&scene.walls) {
+        *material = [wall.dynamic_viscosity.unwrap_or(VISCOSITY_OF_PARTICLE), 1.0, material[2], wall.fluid as f32];
     }
     // nobody acts on air that is not there
-    kinds[DORMANT as usize][1] = NOT_THERE;
-    kinds
+    rows[INACTIVE as usize][1] = NOT_THERE;
+    rows
 }
 
 /// Constant of the equation of state, near pressure, speed of sound, number of the equation; `mass` is that of a particle of the
@@ -67,7 +67,7 @@ fn states(scene: &Scene, fluids: &[FluidConstants], mass: f64, support: f64) -> 
         let counted = if masses { scene.fluid.rest_density } else { fluid.rest_density };
         let near = constants.near_stiffness
             * match scene.model.near_pressure {
-                NearPressure::Article => mass * f64::from(counted) * sum_to_density,
+                NearPressure::DoubleDensity => mass * f64::from(counted) * sum_to_density,
                 _ => f64::from(fluid.rest_density),
             };
         let number = constants.equation_of_state as u32 as f32;
@@ -88,13 +88,13 @@ fn corrections(scene: &Scene, fluids: &[FluidConstants], support: f64) -> Materi
     let squares = if relaxed { gradient_squares(scene, support) } else { 0.0 };
     rows(scene, fluids, |fluid, constants| {
         let compressibility = 1.0 / constants.bulk_modulus;
-        let [thinning, offset] = match scene.model.correction.iteration {
+        let [pressure_response, offset] = match scene.model.correction.iteration {
             _ if !corrects => [0.0, 1.0],
             Iteration::Literal => [0.0, 0.5 * compressibility],
             Iteration::Relaxed => {
                 [squares / f64::from(fluid.rest_density), f64::from(CORRECTION_SOURCE) * compressibility]
             }
         };
-        [thinning as f32, offset as f32, compressibility as f32, fluid.surface_tension]
+        [pressure_response as f32, offset as f32, compressibility as f32, fluid.surface_tension]
     })
 }

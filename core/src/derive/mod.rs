@@ -1,5 +1,5 @@
 //! What follows from a scene: every number that is not asked for but computed, in f64, once, and rounded once (guided creation,
-//! S0 section 4.1).
+//! Pirovano, section 4.1).
 //!
 //! Arrows between the files of this folder point one way, from [`Derived`] down to the lengths and the sums over the lattice.
 //! Whatever runs before the scene has been checked (lengths, counts) never panics and never takes long, whatever the scene says.

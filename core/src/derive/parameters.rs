@@ -33,7 +33,7 @@ pub(super) fn parameters(
     let rest_density = f64::from(fluid.rest_density);
     let rest_volume = mass / rest_density;
     let near_constant = match model.near_pressure {
-        NearPressure::Article => near_slope_constant(d) / 3.0,
+        NearPressure::DoubleDensity => near_slope_constant(d) / 3.0,
         _ => near_slope_constant(d),
     };
     let pressure_constant = model.pressure_kernel.normalisation(d) * over(d + 1);
@@ -43,9 +43,9 @@ pub(super) fn parameters(
     let elasticity = &scene.elasticity;
     let air = scene.air.as_ref();
     let plasticity = elasticity.plasticity;
-    let exchanged = model.viscosity == Viscosity::Exchange;
+    let exchanged = model.viscosity == Viscosity::VelocityExchange;
     let container = scene.container.as_ref();
-    let field = scene.field.map_or([0.0; 4], |f| [f.low[0], f.low[1], f.low[2], 1.0 / f.spacing]);
+    let field = scene.acceleration_field.map_or([0.0; 4], |f| [f.low[0], f.low[1], f.low[2], 1.0 / f.spacing]);
     let (planes, plane_count) = planes(scene);
     let adaptive = scene.adaptive.unwrap_or_default();
     let limits = StepLimits::of(scene, &adaptive, scales, kinematic_viscosity);
@@ -96,22 +96,22 @@ pub(super) fn parameters(
         xsph_constant: (f64::from(fluid.xsph) * rest_volume * density_constant) as f32,
         heat_gain: fluid.heat_gain,
         ambient_ratio: scene.ambient_density / fluid.rest_density,
-        bounce: container.map_or(0.0, |c| c.bounce),
+        restitution: container.map_or(0.0, |c| c.restitution),
         slip: container.map_or(0.0, |c| c.slip),
         spacing: scene.particle_spacing,
         air_threshold: air.map_or(0.0, |air| (f64::from(air.threshold) / support) as f32),
         air_minimum: air.map_or(0.0, |air| air.minimum_density),
-        air_heat: air.map_or(0.0, |air| scene.fluid_of(air.fluid).thermal_energy),
+        air_heat: air.map_or(0.0, |air| scene.fluid_of(air.fluid).internal_energy),
         air_fluid: air.map_or(0.0, |air| air.fluid as f32),
         first_air: counts.all().saturating_sub(counts.air) as u32,
-        speed_reach: limits.speed,
+        speed_limit_length: limits.speed,
         acceleration_reach: limits.acceleration,
-        sound_reach: limits.sound,
+        sound_limit_length: limits.sound,
         viscous_time_step: limits.viscosity,
         smallest_time_step: adaptive.smallest,
         largest_time_step: adaptive.largest,
-        time_step_growth: adaptive.growth,
-        redo_above: adaptive.redo_above.unwrap_or(0.0),
+        max_time_step_growth: adaptive.max_growth,
+        reject_ratio: adaptive.reject_ratio.unwrap_or(0.0),
     }
 }
 

@@ -31,7 +31,7 @@ impl Scales {
     }
 }
 
-/// Particles inside the support radius of the scene: the fewest that one of its fluids has (S0 section 3.3).
+/// Particles inside the support radius of the scene: the fewest that one of its fluids has (Pirovano, section 3.3).
 #[must_use]
 pub fn average_neighbours(scene: &Scene) -> f32 {
     let own = scene.fluids().map(|fluid| fluid.average_neighbours.unwrap_or(scene.average_neighbours));
@@ -39,7 +39,7 @@ pub fn average_neighbours(scene: &Scene) -> f32 {
 }
 
 /// Radius that holds `average_neighbours` particles at the initial spacing: `n = N/V 4/3 pi H^3`, in 2D `N/A pi H^2`
-/// (S0 section 4.1.5 per errata), m. Of several fluids the smallest one (S0 section 3.3).
+/// (Pirovano, section 4.1.5, corrected), m. Of several fluids the smallest one (Pirovano, section 3.3).
 ///
 /// It follows from three fields alone, so that it can be asked for while the rest of a scene is still to be chosen, such as a
 /// time step. Of a scene that was checked it is [`Derived::support_radius`](super::Derived::support_radius).
@@ -52,7 +52,7 @@ pub fn support_radius(scene: &Scene) -> f64 {
     }
 }
 
-/// Speed of sound of a fluid at rest, m/s: what it names; or `sqrt(7 k / rho0)` by S1's constant k of Tait's equation; or what
+/// Speed of sound of a fluid at rest, m/s: what it names; or `sqrt(7 k / rho0)` by Hinsch's constant k of Tait's equation; or what
 /// the time step allows, where the scene asks for that.
 ///
 /// Like [`support_radius`] it can be asked for while the rest of a scene is still to be chosen.
@@ -72,5 +72,5 @@ pub fn speed_of_sound(scene: &Scene, fluid: &Fluid) -> f64 {
 pub(crate) fn particle_mass(scene: &Scene, scales: &Scales) -> f64 {
     let lattice =
         f64::from(scene.fluid.rest_density) * power(f64::from(scene.particle_spacing), scene.dimension.count());
-    if scene.model.calibrated_mass { lattice / kernel_sum(scene, scales.support_radius) } else { lattice }
+    if scene.model.normalize_mass { lattice / kernel_sum(scene, scales.support_radius) } else { lattice }
 }

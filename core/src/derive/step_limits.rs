@@ -1,7 +1,7 @@
 //! What limits a time step: how far things may come in one.
 use super::fluid::FluidConstants;
 use super::scales::Scales;
-use crate::scene::{Adaptive, Block, Fluid, Scene, Viscosity};
+use crate::scene::{AdaptiveTimeStep, Block, Fluid, Scene, Viscosity};
 
 /// Largest kinematic viscosity of a scene, m2/s: of a pair the mean viscosity, or that of the wall, over the smaller rest density,
 /// since the lighter of two is moved the more. Of the artificial viscosity that of Monaghan 1992, `alpha h c / (2 (d + 2))` with the
@@ -9,7 +9,7 @@ use crate::scene::{Adaptive, Block, Fluid, Scene, Viscosity};
 pub(super) fn kinematic_viscosity(scene: &Scene, scales: &Scales, fluids: &[FluidConstants]) -> f64 {
     let largest = |all: &mut dyn Iterator<Item = f64>| all.fold(0.0, f64::max);
     match scene.model.viscosity {
-        Viscosity::Exchange => 0.0,
+        Viscosity::VelocityExchange => 0.0,
         Viscosity::Artificial => {
             let sound = largest(&mut fluids.iter().map(|fluid| fluid.speed_of_sound));
             let directions = 2.0 * (scene.dimension.count() as f64 + 2.0);
@@ -46,7 +46,7 @@ impl StepLimits {
     const NO_LIMIT: f64 = 1e30;
 
     /// Of a scene whose largest kinematic viscosity is `viscosity`.
-    pub(super) fn of(scene: &Scene, adaptive: &Adaptive, scales: &Scales, viscosity: f64) -> StepLimits {
+    pub(super) fn of(scene: &Scene, adaptive: &AdaptiveTimeStep, scales: &Scales, viscosity: f64) -> StepLimits {
         let support = scales.support_radius;
         let reach = |courant: Option<f32>| courant.map_or(StepLimits::NO_LIMIT, |courant| f64::from(courant) * support);
         // sound that is iterated for limits nothing

@@ -115,11 +115,11 @@ pub enum SceneError {
         size: f32,
     },
     /// A field of accelerations needs two nodes along each axis, between which it is linear.
-    TooFewNodes {
+    TooFewPoints {
         /// The axis.
         axis: Axis,
         /// Nodes along it.
-        nodes: u32,
+        points: u32,
     },
     /// A number that no fluid of the scene has.
     NoSuchFluid {
@@ -143,7 +143,7 @@ pub enum SceneError {
     LeftOut {
         /// The field.
         field: &'static str,
-        /// What [`Scene::live`](crate::scene::Scene::live) must list to keep the term.
+        /// What [`Scene::adjustable`](crate::scene::Scene::adjustable) must list to keep the term.
         live: &'static str,
     },
     /// A pressure correction by the letter, whose iteration grows instead of settling.
@@ -259,8 +259,8 @@ impl fmt::Display for SceneError {
                 write!(f, "walls[{wall}] is {size} m along {axis}: give a plane 0 m across, and at least half a ")?;
                 write!(f, "particle_spacing along all else")
             }
-            SceneError::TooFewNodes { axis, nodes } => {
-                write!(f, "field.counts has {nodes} along {axis}, and must have at least 2")
+            SceneError::TooFewPoints { axis, points } => {
+                write!(f, "acceleration_field.counts has {points} along {axis}, and must have at least 2")
             }
             SceneError::NoSuchFluid { field, fluid, fluids } => {
                 write!(f, "{field} names fluid {fluid}, and the scene has {fluids}, counted from 0")

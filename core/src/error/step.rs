@@ -73,7 +73,7 @@ impl fmt::Display for StepError {
                     f,
                     "step {step} was made {attempts} times, each shorter than the one before, and is still too long: "
                 )?;
-                write!(f, "increase adaptive.redo_above or adaptive.smallest")
+                write!(f, "increase adaptive.reject_ratio or adaptive.smallest")
             }
             StepError::NotFinite { particle, quantity, step } => {
                 write!(f, "step {step}: {quantity:?} of particle {particle} is not finite any more")

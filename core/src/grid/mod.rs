@@ -30,7 +30,7 @@ fn floor_of(scaled: f32) -> i32 {
     towards_zero.wrapping_sub(i32::from(towards_zero as f32 > scaled))
 }
 
-/// Index of the wrapped cell at unwrapped coordinates: floor and Euclidean remainder (S0 source 4.2 per errata).
+/// Index of the wrapped cell at unwrapped coordinates: floor and Euclidean remainder (Pirovano source 4.2, corrected).
 #[inline]
 #[must_use]
 pub fn cell_index(p: &Parameters, c: [i32; 3]) -> u32 {
@@ -67,7 +67,7 @@ pub fn cell_of(p: &Parameters, position: f32x4) -> Result<u32, u32> {
 /// Is this the cell of air that is not there? It is the last one, and no stencil reaches it.
 #[inline(always)]
 pub(crate) fn is_limbo(m: &Model, p: &Parameters, cell: usize) -> bool {
-    m.air == 1 && cell + 1 == p.cells[3] as usize
+    m.has_air == 1 && cell + 1 == p.cells[3] as usize
 }
 
 /// The sorted particles: those of cell `c` stand at slots `start[c] ..`, `counter[c]` of them.

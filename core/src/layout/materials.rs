@@ -12,7 +12,7 @@ shared! {
     pub struct Materials {
         /// Dynamic viscosity in Pa s (negative for a wall that takes the particle's), 1 for a wall and 2 for inactive particles,
         /// rest density over the first fluid's, number of the fluid.
-        pub species: MaterialRows,
+        pub properties: MaterialRows,
         /// Constant of the equation of state, near pressure at rest (thesis) or over the near sum (article), both in Pa, speed
         /// of sound in m/s, number of the equation.
         pub states: MaterialRows,

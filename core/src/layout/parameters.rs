@@ -100,7 +100,7 @@ shared! {
         /// Ambient density over rest density.
         pub ambient_ratio: f32,
         /// Share of the normal velocity that a penalty wall gives back.
-        pub bounce: f32,
+        pub restitution: f32,
         /// Share of the tangential velocity that it leaves.
         pub slip: f32,
         /// Distance of particles at the start, m.
@@ -116,11 +116,11 @@ shared! {
         /// First id of the coat's particles, which are the last.
         pub first_air: u32,
         /// How far the fastest particle may come in a step, `C H`, m.
-        pub speed_reach: f32,
+        pub speed_limit_length: f32,
         /// `C^2 H` of the criterion by acceleration, m.
         pub acceleration_reach: f32,
         /// How far sound may come in a step, `C H`, m.
-        pub sound_reach: f32,
+        pub sound_limit_length: f32,
         /// Longest step that viscosity allows, `C H^2 / nu`, s.
         pub viscous_time_step: f32,
         /// Shortest step, s.
@@ -128,9 +128,9 @@ shared! {
         /// Longest step, s.
         pub largest_time_step: f32,
         /// Times that a step may be as long as the last one.
-        pub time_step_growth: f32,
+        pub max_time_step_growth: f32,
         /// A step is made again where it lasted more than so many times what it should have; 0: never.
-        pub redo_above: f32,
+        pub reject_ratio: f32,
     }
 }
 

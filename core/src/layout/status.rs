@@ -29,7 +29,7 @@ shared! {
         pub not_finite: u32,
         /// Iterations of pressure: 0 while there is something to mend, 1 when the last pressure is still to act, 2 when
         /// all is done.
-        pub settled: u32,
+        pub pressure_converged: u32,
         /// Largest density miss of the last iteration, as the bits of a number that is not negative.
         pub residual: u32,
         /// Iterations of this step.
@@ -50,17 +50,17 @@ shared! {
         pub air_alive: u32,
         /// Largest squared speed of this step, as the bits of a number that is not negative, (m/s)^2. These three only where
         /// the time step follows from them.
-        pub fastest: u32,
+        pub max_speed_squared: u32,
         /// Largest squared acceleration, likewise, (m/s2)^2.
-        pub hardest: u32,
+        pub max_acceleration_squared: u32,
         /// Largest speed of sound, likewise, m/s.
-        pub loudest: u32,
+        pub max_sound_speed: u32,
         /// Density miss of the last iteration of this step.
         pub left: u32,
         /// Times that this step was undone.
         pub undone: u32,
         /// Steps that were made again, shorter.
-        pub redone: u32,
+        pub rejected_steps: u32,
         /// Steps that were not made as short as they should have been, the shortest being longer.
         pub held: u32,
         /// The next step, s. This and the next two go into the step's uniform before it.

@@ -49,7 +49,7 @@ impl Requirements {
         let counts = Counts {
             particles: derived.particles(),
             cells: derived.parameters.cells[3] as usize,
-            spring_ends: if model.springs == 1 { derived.spring_ends } else { 0 },
+            spring_ends: if model.has_springs == 1 { derived.spring_ends } else { 0 },
             air: derived.air_particles,
             field_nodes: derived.field_counts[3] as usize,
         };
@@ -89,7 +89,7 @@ impl Requirements {
             Unit::NeighbourWord => particles.saturating_mul(LIST_WORDS),
             Unit::SpringEnd => spring_ends,
             Unit::SpawnRequest => particles.saturating_add(air),
-            Unit::FieldNode => field_nodes,
+            Unit::FieldPoint => field_nodes,
             Unit::TableWord => TABLE_WORDS,
         }
     }

@@ -113,7 +113,7 @@ impl Candidates {
                 return ROOM;
             }
             let x_b = vec3(R::read(x), R::read(y), R::read(z));
-            let support_b = if m.variable_support == 1 { R::read(support_b) } else { real(1.0) };
+            let support_b = if m.has_variable_support == 1 { R::read(support_b) } else { real(1.0) };
             let scale = pair_scale(m, real(support), support_b);
             let q2 = squared_ratio(m, p, separation(m, p, x_a, x_b), scale);
             used = R::append((codes, q2s), used, code, q2, less(q2, real(1.0)));

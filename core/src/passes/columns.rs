@@ -1,5 +1,5 @@
 //! What each material has of its own, column by column, so that lanes can look it up.
-use super::lanes::kind;
+use super::lanes::material_of;
 use crate::arithmetic::codes::FEW;
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::real::{less, real, select};
@@ -12,7 +12,7 @@ pub(crate) type Column = [f32; FEW];
 /// The columns of the materials that a scene has, side by side.
 #[derive(Clone, Debug)]
 pub(crate) struct Columns {
-    pub species: [Column; 4],
+    pub properties: [Column; 4],
     pub states: [Column; 4],
     pub corrections: [Column; 4],
     /// Are all of the scene's materials in them?
@@ -25,19 +25,19 @@ impl Columns {
     /// Of a scene with so many fluids, blocks and walls.
     pub(crate) fn of(materials: &Materials, [fluids, blocks, walls]: [usize; 3]) -> Columns {
         let [first_block, first_wall] = [FIRST_BLOCK as usize, FIRST_WALL as usize];
-        let kinds = (0..fluids).chain(first_block..first_block + blocks).chain(first_wall..first_wall + walls);
+        let in_use = (0..fluids).chain(first_block..first_block + blocks).chain(first_wall..first_wall + walls);
         let mut columns = Columns {
-            species: [[0.0; FEW]; 4],
+            properties: [[0.0; FEW]; 4],
             states: [[0.0; FEW]; 4],
             corrections: [[0.0; FEW]; 4],
             hold_all: fluids + blocks + walls <= FEW,
             gaps: [(first_block - fluids) as f32, (first_wall - fluids - blocks) as f32],
         };
-        for (place, kind) in kinds.enumerate().take(FEW) {
+        for (place, material) in in_use.enumerate().take(FEW) {
             for i in 0..4 {
-                columns.species[i][place] = materials.species[kind][i];
-                columns.states[i][place] = materials.states[kind][i];
-                columns.corrections[i][place] = materials.corrections[kind][i];
+                columns.properties[i][place] = materials.properties[material][i];
+                columns.states[i][place] = materials.states[material][i];
+                columns.corrections[i][place] = materials.corrections[material][i];
             }
         }
         columns
@@ -45,15 +45,15 @@ impl Columns {
 
     /// Where the materials of these kinds stand in the columns.
     #[inline(always)]
-    pub(crate) fn places<R: Lanes>(&self, kinds: R) -> R {
+    pub(crate) fn places<R: Lanes>(&self, material: R) -> R {
         let [of_blocks, of_walls] = self.gaps;
-        let place = select(kinds, kinds - of_blocks, less(real(FIRST_BLOCK as f32 - 0.5), kinds));
-        select(place, kinds - of_walls, less(real(FIRST_WALL as f32 - 0.5), kinds))
+        let place = select(material, material - of_blocks, less(real(FIRST_BLOCK as f32 - 0.5), material));
+        select(place, material - of_walls, less(real(FIRST_WALL as f32 - 0.5), material))
     }
 }
 
 /// Number `i` of the rows of these kinds.
 #[inline(always)]
-pub(crate) fn of_kinds<R: Lanes>(rows: &MaterialRows, kinds: R, i: usize) -> R {
-    R::from_lanes(|lane| rows[kind(kinds.lane(lane))][i])
+pub(crate) fn of_materials<R: Lanes>(rows: &MaterialRows, material: R, i: usize) -> R {
+    R::from_lanes(|lane| rows[material_of(material.lane(lane))][i])
 }

@@ -2,7 +2,7 @@
 use super::context::Setup;
 use crate::arithmetic::real::{Real, real};
 use crate::terms::density::{number_density_neighbour, summed_neighbour};
-use crate::terms::near::{ARTICLE, near_density_neighbour};
+use crate::terms::near::{DOUBLE_DENSITY, near_density_neighbour};
 
 /// What a neighbour of this mass adds to the sums of density, of the near density and of the number density; the last is 0.
 #[inline(always)]
@@ -15,7 +15,7 @@ pub(crate) fn of_neighbour<R: Real>(setup: &Setup<'_>, mass: R, q2: R, scale: R)
 pub(crate) fn beside<R: Real>(setup: &Setup<'_>, sum: R, mass: R, q2: R, scale: R) -> [R; 4] {
     let (m, t) = (setup.model, setup.tables);
     let none = real(0.0);
-    let near = if m.near_pressure == ARTICLE { near_density_neighbour(m, mass, q2, scale) } else { none };
-    let number = if m.numbers == 1 { number_density_neighbour(m, t, q2, scale) } else { none };
+    let near = if m.near_pressure == DOUBLE_DENSITY { near_density_neighbour(m, mass, q2, scale) } else { none };
+    let number = if m.has_number_density_volume == 1 { number_density_neighbour(m, t, q2, scale) } else { none };
     [sum, near, number, none]
 }

@@ -188,7 +188,7 @@ fn search(
 ) -> Option<Found> {
     let Surroundings { setup, particles, cells } = *surroundings;
     let Setup { model: m, parameters: p, materials, .. } = setup;
-    let support = |slot: usize| if m.variable_support == 1 { particles.support[slot] } else { 1.0 };
+    let support = |slot: usize| if m.has_variable_support == 1 { particles.support[slot] } else { 1.0 };
     let mut found = Found { slots: [first as u32; MOST_LANES], counts: [0; GROUP] };
     for (receiver, cursor) in cursors.iter_mut().enumerate().take(receivers.min(last + 1 - first)) {
         let a = first + receiver;
@@ -198,7 +198,7 @@ fn search(
             continue;
         }
         let Ok(cell) = cell_of(p, particles.position[a]) else { continue };
-        let stencil = Stencil::around(p, m.layers as i32, cells, cell as usize);
+        let stencil = Stencil::around(p, m.is_3d as i32, cells, cell as usize);
         let x_a = vec3::<f32>::splat(particles.position[a]);
         let count = &mut found.counts[receiver];
         'search: for run in stencil.runs().skip(cursor.0) {

@@ -5,20 +5,20 @@ use crate::layout::{MATERIALS, MaterialRows, Materials, Model, f32x4};
 
 /// The material of a particle; `w` is the fourth number of its velocity.
 #[inline(always)]
-pub(crate) fn kind(w: f32) -> usize {
+pub(crate) fn material_of(w: f32) -> usize {
     (w as usize).min(MATERIALS - 1)
 }
 
 /// Does a particle belong to a wall, or is it inactive? Nothing acts on those.
 #[inline(always)]
 pub(crate) fn is_wall(materials: &Materials, w: f32) -> bool {
-    materials.species[kind(w)][1] > 0.0
+    materials.properties[material_of(w)][1] > 0.0
 }
 
 /// Is it inactive?
 #[inline(always)]
-pub(crate) fn is_dormant(materials: &Materials, w: f32) -> bool {
-    materials.species[kind(w)][1] > 1.0
+pub(crate) fn is_inactive(materials: &Materials, w: f32) -> bool {
+    materials.properties[material_of(w)][1] > 1.0
 }
 
 /// Number `i` of the rows of particles `first ..= last` in the lanes: what their materials have of their own.
@@ -31,10 +31,10 @@ pub(crate) fn row_of<R: Real>(
     last: usize,
     i: usize,
 ) -> R {
-    if m.species == 0 {
+    if m.has_materials == 0 {
         return real(rows[0][i]);
     }
-    R::from_lanes(|lane| rows[kind(velocity[(first + lane).min(last)][3])][i])
+    R::from_lanes(|lane| rows[material_of(velocity[(first + lane).min(last)][3])][i])
 }
 
 /// Particles `first ..= last` in the lanes, the last one repeated to fill up.

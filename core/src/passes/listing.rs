@@ -129,7 +129,7 @@ impl<'a, V: Visit> PairJob<'a> for Job<'a, V> {
                 } else if asleep {
                     0
                 } else {
-                    let support = if m.variable_support == 1 { particles.support[a] } else { 1.0 };
+                    let support = if m.has_variable_support == 1 { particles.support[a] } else { 1.0 };
                     candidates.near::<R>(
                         setup,
                         0,
@@ -185,8 +185,8 @@ impl<V: Visit> Job<'_, V> {
         let Surroundings { particles, cells, .. } = self.surroundings;
         let members = cells.members(cell);
         let mut gathered = Gathered { members: members.clone(), own_shift: 0, are_windows_new: false };
-        let stencil = Stencil::around(setup.parameters, setup.model.layers as i32, cells, cell);
-        let support = if setup.model.variable_support == 1 { particles.support } else { &[] };
+        let stencil = Stencil::around(setup.parameters, setup.model.is_3d as i32, cells, cell);
+        let support = if setup.model.has_variable_support == 1 { particles.support } else { &[] };
         for attempt in 0..2 {
             candidates.clear();
             let mut room = true;

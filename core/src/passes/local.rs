@@ -1,5 +1,5 @@
 //! What the pair passes read of particles, and how it gets into the lanes.
-use super::columns::{Column, of_kinds};
+use super::columns::{Column, of_materials};
 use super::context::Setup;
 use super::lanes::is_wall;
 use crate::arithmetic::lanes::{Lanes, Slots};
@@ -73,7 +73,7 @@ impl Particles<'_> {
     /// The support radii of receivers, over the scene's.
     #[inline(always)]
     pub(crate) fn supports<R: Lanes>(&self, setup: &Setup<'_>, first: usize, last: usize) -> R {
-        if setup.model.variable_support == 0 {
+        if setup.model.has_variable_support == 0 {
             return real(1.0);
         }
         R::from_lanes(|lane| self.support[(first + lane / R::NEIGHBOURS).min(last)])
@@ -82,7 +82,7 @@ impl Particles<'_> {
     /// Those of neighbours.
     #[inline(always)]
     pub(crate) fn supports_of<R: Lanes>(&self, setup: &Setup<'_>, slots: &Slots) -> R {
-        if setup.model.variable_support == 0 {
+        if setup.model.has_variable_support == 0 {
             return real(1.0);
         }
         R::from_lanes(|lane| self.support[slots.lane(lane)])
@@ -92,15 +92,15 @@ impl Particles<'_> {
     #[inline(always)]
     pub(crate) fn stiffness<R: Lanes>(&self, setup: &Setup<'_>, first: usize, last: usize) -> Stiffness<R> {
         let (materials, columns) = (setup.materials, setup.columns);
-        let [.., kinds] = spread::<R>(self.velocity, first, last);
-        let of_states = |i: usize| -> R { of_material(setup, &materials.states, &columns.states, kinds, i) };
+        let [.., material] = spread::<R>(self.velocity, first, last);
+        let of_states = |i: usize| -> R { of_material(setup, &materials.states, &columns.states, material, i) };
         let of_correction =
-            |i: usize| -> R { of_material(setup, &materials.corrections, &columns.corrections, kinds, i) };
+            |i: usize| -> R { of_material(setup, &materials.corrections, &columns.corrections, material, i) };
         Stiffness {
             state: of_states(0),
             near: of_states(1),
-            thinning: of_correction(0),
-            offset: of_correction(1),
+            pressure_response: of_correction(0),
+            response_offset: of_correction(1),
             compressibility: of_correction(2),
         }
     }
@@ -108,7 +108,7 @@ impl Particles<'_> {
     /// Are all particles `first ..= last` walls', or inactive? Nothing acts on those.
     #[inline(always)]
     pub(crate) fn are_walls(&self, setup: &Setup<'_>, first: usize, last: usize) -> bool {
-        let held = setup.model.wall_particles != 0 || setup.model.air == 1;
+        let held = setup.model.wall_particles != 0 || setup.model.has_air == 1;
         held && self.velocity[first..=last].iter().all(|v| is_wall(setup.materials, v[3]))
     }
 }
@@ -136,13 +136,13 @@ pub(crate) fn nothing<R: Lanes>() -> [R; 4] {
 fn local<R: Lanes>(
     setup: &Setup<'_>,
     [x, y, z, mass]: [R; 4],
-    [vx, vy, vz, kinds]: [R; 4],
+    [vx, vy, vz, material]: [R; 4],
     [deviation, pressure, near_pressure, volume]: [R; 4],
     support: R,
 ) -> Local<R> {
     let (materials, columns) = (setup.materials, setup.columns);
-    let of_species = |i: usize| -> R { of_material(setup, &materials.species, &columns.species, kinds, i) };
-    let of_states = |i: usize| -> R { of_material(setup, &materials.states, &columns.states, kinds, i) };
+    let of_properties = |i: usize| -> R { of_material(setup, &materials.properties, &columns.properties, material, i) };
+    let of_states = |i: usize| -> R { of_material(setup, &materials.states, &columns.states, material, i) };
     Local {
         position: vec3(x, y, z),
         velocity: vec3(vx, vy, vz),
@@ -152,13 +152,13 @@ fn local<R: Lanes>(
         pressure,
         near_pressure,
         volume,
-        viscosity: of_species(0),
-        wall: of_species(1),
-        rest: of_species(2),
-        fluid: of_species(3),
-        sound: of_states(2),
-        equation: of_states(3),
-        tension: of_material(setup, &materials.corrections, &columns.corrections, kinds, 3),
+        viscosity: of_properties(0),
+        wall: of_properties(1),
+        rest_ratio: of_properties(2),
+        fluid: of_properties(3),
+        speed_of_sound: of_states(2),
+        state_equation: of_states(3),
+        tension: of_material(setup, &materials.corrections, &columns.corrections, material, 3),
     }
 }
 
@@ -168,11 +168,15 @@ pub(crate) fn of_material<R: Lanes>(
     setup: &Setup<'_>,
     rows: &MaterialRows,
     columns: &[Column; 4],
-    kinds: R,
+    material: R,
     i: usize,
 ) -> R {
-    if setup.model.species == 0 {
+    if setup.model.has_materials == 0 {
         return real(rows[0][i]);
     }
-    if setup.columns.hold_all { R::pick(&columns[i], setup.columns.places(kinds)) } else { of_kinds(rows, kinds, i) }
+    if setup.columns.hold_all {
+        R::pick(&columns[i], setup.columns.places(material))
+    } else {
+        of_materials(rows, material, i)
+    }
 }

@@ -1,7 +1,7 @@
 //! The table of arrays: name, element type, what there is one entry for, what it is for, and when it exists. Views,
 //! memory requirements, buffers and bindings of a device, comparisons and saved bytes all follow from it.
 use crate::layout::{Model, f32x4, u32x2, u32x4};
-use crate::terms::integrate::{has_history, needs_earlier, needs_predicted_velocity};
+use crate::terms::integrate::{has_history, needs_predicted_velocity, needs_start_acceleration};
 
 /// Hands the table to a macro. A row is: name, for [`State`](crate::memory::State) the quantity that errors name,
 /// element type, unit, condition; and, for an array that a step sorts, the array that its entries come from.
@@ -27,19 +27,19 @@ macro_rules! with_arrays {
                 /// ([`QUANTITIES`](crate::layout::QUANTITIES)).
                 density_pressure as Density: f32x4 per Particle, if |_| true;
                 /// Velocity to move with beside a particle's own, m/s; w unused. Only with XSPH.
-                xsph_velocity as XsphVelocity: f32x4 per Particle, if |m| m.xsph == 1;
+                xsph_velocity as XsphVelocity: f32x4 per Particle, if |m| m.has_xsph == 1;
                 /// Thermal energy, J/kg, and its rate, W/kg; z and w unused. Only where a scene keeps account of heat.
-                internal_energy as InternalEnergy: f32x4 per Particle, if |m| m.thermal_energy == 1,
+                internal_energy as InternalEnergy: f32x4 per Particle, if |m| m.has_internal_energy == 1,
                     from internal_energy@old;
                 /// Inward normal of the surface of a particle's fluid, 1/m; w: the surface's curvature by the Laplacian
                 /// of the colour, 1/m, where tension takes that. Only where normals are found.
-                normal as Normal: f32x4 per Particle, if |m| m.normals == 1;
+                normal as Normal: f32x4 per Particle, if |m| m.has_normals == 1;
                 /// What the integrator remembers of the steps before: the last displacement, m, or the acceleration
                 /// before, m/s2; w unused. Only with integrators that do.
                 history as History: f32x4 per Particle, if |m| has_history(m), from history@old;
                 /// Springs, those of each particle side by side: id of the particle at the other end, and as the bits
                 /// of an f32 the length at rest in m, negative once the spring is broken. Only with elastic fluids.
-                spring_ends as SpringLength: u32x2 per SpringEnd, if |m| m.springs == 1, constant if |m| m.plastic == 0;
+                spring_ends as SpringLength: u32x2 per SpringEnd, if |m| m.has_springs == 1, constant if |m| m.is_plastic == 0;
             }
             Index {
                 /// Which particle lies in a slot.
@@ -74,29 +74,29 @@ macro_rules! with_arrays {
                 /// Density and pressures before the step, in the slots after it. Only where a step needs them.
                 previous_density_pressure: f32x4 per Particle, if |m| m.needs_previous(), from density_pressure@old;
                 /// Support radius of each particle over the scene's. Only where they vary.
-                support_ratio: f32 per Particle, if |m| m.variable_support == 1;
+                support_ratio: f32 per Particle, if |m| m.has_variable_support == 1;
                 /// Acceleration but for pressure, m/s2; w as in the acceleration. Only where pressure is iterated.
                 non_pressure_acceleration: f32x4 per Particle, if |m| m.corrects_pressure();
                 /// Accelerations at the beginning of the step, in the slots after it, m/s2. Only with integrators that
                 /// need them at its end.
-                start_acceleration: f32x4 per Particle, if |m| needs_earlier(m), from acceleration@old;
+                start_acceleration: f32x4 per Particle, if |m| needs_start_acceleration(m), from acceleration@old;
                 /// Velocities at the end of the step, m/s; w: material. Only where pairs need them before.
                 end_velocity: f32x4 per Particle, if |m| needs_predicted_velocity(m);
                 /// Gradient of the colour of all fluids together, 1/m; w: 1 where a particle of liquid is exposed, else
                 /// 0. Only with air.
-                total_colour_gradient: f32x4 per Particle, if |m| m.air == 1;
+                total_colour_gradient: f32x4 per Particle, if |m| m.has_air == 1;
                 /// 1 for a particle beside which one of air is wanted, else 0; behind these a queue for devices. Only
                 /// with air.
-                spawn_requested: u32 per SpawnRequest, if |m| m.air == 1;
+                spawn_requested: u32 per SpawnRequest, if |m| m.has_air == 1;
             }
             Given {
                 /// By id: first of a particle's spring ends, how many, and as the bits of an f32 `k / (2 m)` in 1/s2; w
                 /// unused.
-                spring_ranges: u32x4 per Particle, if |m| m.springs == 1;
+                spring_ranges: u32x4 per Particle, if |m| m.has_springs == 1;
                 /// Kernels as tables, one after the other. Only where kernels are read from there.
                 kernel_tables: f32 per TableWord, if |m| m.reads_tables();
                 /// Nodes of the host's acceleration field, m/s2, x fastest; w unused. Only where a scene has one.
-                acceleration_field: f32x4 per FieldNode, if |m| m.field == 1;
+                acceleration_field: f32x4 per FieldPoint, if |m| m.has_acceleration_field == 1;
             }
         }
     };
@@ -119,7 +119,7 @@ pub enum Unit {
     /// A particle, and then each particle of air that there can be.
     SpawnRequest,
     /// A node of the host's field.
-    FieldNode,
+    FieldPoint,
     /// A word of the kernel tables.
     TableWord,
 }

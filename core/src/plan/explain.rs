@@ -36,15 +36,15 @@ impl Plan {
         match pass {
             Pass::IntegrateBefore => {
                 add(&choice.integrator.terms()[..1], true);
-                add(&["drift"], m.xsph == 1);
-                add(&["wrap"], m.periodic == 1);
+                add(&["drift"], m.has_xsph == 1);
+                add(&["wrap"], m.is_periodic == 1);
             }
             Pass::Support => add(&["support_close"], true),
             Pass::Density => {
                 add(choice.density.terms(), true);
                 add(if continuity { slope } else { value }, true);
                 add(&["interpolated"], m.reads_tables());
-                add(&["volume_by_number"], m.numbers == 1);
+                add(&["volume_by_number"], m.has_number_density_volume == 1);
                 add(choice.equation_of_state.terms(), !corrects);
                 add(&choice.near_pressure.terms()[..choice.near_pressure.terms().len().min(1)], m.near_pressure != 0);
             }
@@ -53,19 +53,19 @@ impl Plan {
                 add(slope, !corrects);
                 add(choice.wall_pressure.terms(), m.wall_particles != 0);
                 add(&choice.near_pressure.terms()[choice.near_pressure.terms().len().min(1)..], m.near_pressure != 0);
-                add(choice.viscosity.terms(), m.viscosity != 0 && choice.viscosity != Viscosity::Exchange);
+                add(choice.viscosity.terms(), m.viscosity != 0 && choice.viscosity != Viscosity::VelocityExchange);
                 add(choice.surface_tension.terms(), m.tension != 0 && !m.has_curvature());
-                add(&["exchange_neighbour"], m.exchange == 1);
-                add(&["weight"], m.gravity == 1);
-                add(&["buoyancy"], m.buoyancy == 1);
-                add(&["wind_drag"], m.wind == 1);
-                add(&["field_share"], m.field == 1);
+                add(&["exchange_neighbour"], m.has_velocity_exchange == 1);
+                add(&["weight"], m.has_gravity == 1);
+                add(&["buoyancy"], m.has_buoyancy == 1);
+                add(&["wind_drag"], m.has_wind == 1);
+                add(&["field_share"], m.has_acceleration_field == 1);
             }
             Pass::Normals => {
                 add(&["colour_gradient"], true);
                 add(&["colour_laplacian", "curvature_of_colour"], m.tension == tension::CURVATURE);
             }
-            Pass::Exposure => add(&["whole_gradient", "is_bare"], true),
+            Pass::Exposure => add(&["total_gradient", "is_exposed"], true),
             Pass::Tension => {
                 add(&["normal_divergence", "curvature_of_normals"], m.tension == tension::NORMAL_CURVATURE);
                 add(&["tension_close"], true);
@@ -83,10 +83,10 @@ impl Plan {
             Pass::PredictVelocity => add(&["velocity_after"], true),
             Pass::IntegrateAfter => {
                 add(&choice.integrator.terms()[choice.integrator.terms().len().min(1)..], true);
-                add(&["penalty_walls"], m.walls == 1);
+                add(&["penalty_walls"], m.has_container == 1);
             }
             Pass::Measure => add(&["bounded_square", "bounded_sound"], true),
-            Pass::Commit => add(&["step_wanted", "step_limited", "clock_after"], m.adaptive == 1),
+            Pass::Commit => add(&["step_wanted", "step_limited", "clock_after"], m.is_adaptive == 1),
             Pass::Xsph => add(&["xsph_neighbour"], true),
             _ => {}
         }
@@ -105,46 +105,46 @@ impl Plan {
                 "viscosity",
                 match choice.viscosity {
                     Viscosity::Artificial => "fluid.alpha and fluid.beta are 0",
-                    Viscosity::Exchange => "velocities are exchanged instead",
+                    Viscosity::VelocityExchange => "velocities are exchanged instead",
                     _ => "fluid.dynamic_viscosity is 0",
                 },
             ),
             (
-                m.exchange == 0,
+                m.has_velocity_exchange == 0,
                 "exchange of velocities",
                 "fluid.velocity_exchange and fluid.radial_exchange are unused or 0",
             ),
-            (m.gravity == 0, "gravity", "gravity is 0"),
-            (m.buoyancy == 0, "buoyancy", "ambient_density is 0"),
-            (m.wind == 0, "wind", "the scene has none"),
-            (m.field == 0, "field of the host's", "the scene has none"),
-            (m.walls == 0, "penalty walls", "the scene has no container"),
+            (m.has_gravity == 0, "gravity", "gravity is 0"),
+            (m.has_buoyancy == 0, "buoyancy", "ambient_density is 0"),
+            (m.has_wind == 0, "wind", "the scene has none"),
+            (m.has_acceleration_field == 0, "field of the host's", "the scene has none"),
+            (m.has_container == 0, "penalty walls", "the scene has no container"),
             (m.wall_particles == 0, "walls of particles", "the scene has none"),
-            (m.periodic == 0, "periodic images", "no axis is periodic"),
-            (m.variable_support == 0, "variable support", "model.variable_support is not set"),
-            (m.masses == 0, "masses", "all particles have the same"),
-            (m.species == 0, "kinds of particle", "there is one fluid and no wall of particles"),
-            (m.thermal_energy == 0, "thermal energy", "model.thermal_energy is off"),
-            (m.xsph == 0, "XSPH", "fluid.xsph is 0"),
+            (m.is_periodic == 0, "periodic images", "no axis is periodic"),
+            (m.has_variable_support == 0, "variable support", "model.variable_support is not set"),
+            (m.has_variable_mass == 0, "masses", "all particles have the same"),
+            (m.has_materials == 0, "kinds of particle", "there is one fluid and no wall of particles"),
+            (m.has_internal_energy == 0, "thermal energy", "model.internal_energy is off"),
+            (m.has_xsph == 0, "XSPH", "fluid.xsph is 0"),
             (!integrate::has_history(m), "integrator's history", "model.integrator remembers nothing"),
-            (m.reevaluates == 0, "second evaluation", "model.reevaluate is off"),
-            (m.adaptive == 0, "changing time step", "adaptive is not set"),
+            (m.is_reevaluated == 0, "second evaluation", "model.reevaluate is off"),
+            (m.is_adaptive == 0, "changing time step", "adaptive is not set"),
             (!m.reads_tables(), "kernel tables", "model.evaluation is Direct"),
             (
                 choice.pressure_solver != PressureSolver::PressureCorrection,
                 "pressure correction",
                 "model.pressure_solver is EquationOfState",
             ),
-            (m.layers == 0, "cells along z", "the scene is in 2D: a stencil of 9 cells"),
+            (m.is_3d == 0, "cells along z", "the scene is in 2D: a stencil of 9 cells"),
             (!lists, "cell lists", "grid.structure is the index sort"),
             (lists, "index sort", "grid.structure is cell lists"),
             (!m.makes_lists(), "neighbour lists", "grid.traversal is HalfStencil"),
-            (m.fluids == 0, "several fluids", "there is one"),
+            (m.is_multi_fluid == 0, "several fluids", "there is one"),
             (m.tension == 0, "surface tension", "model.surface_tension is Off, or fluid.surface_tension is 0"),
-            (m.normals == 0, "normals", "no tension needs them, and model.surface_normals is off"),
-            (m.springs == 0, "elasticity", "fluid.elastic_stiffness is 0"),
-            (m.plastic == 0, "plasticity", "elasticity.plasticity and elasticity.break_at are not set"),
-            (m.air == 0, "air", "the scene has none"),
+            (m.has_normals == 0, "normals", "no tension needs them, and model.surface_normals is off"),
+            (m.has_springs == 0, "elasticity", "fluid.elastic_stiffness is 0"),
+            (m.is_plastic == 0, "plasticity", "elasticity.plasticity and elasticity.break_at are not set"),
+            (m.has_air == 0, "air", "the scene has none"),
             (true, "bodies", "no scene of this version can ask for it"),
             (true, "emitters over time", "no scene of this version can ask for it"),
         ];

@@ -10,7 +10,7 @@ impl Model {
     /// Does a step need the density and pressure of the particles before it?
     #[must_use]
     pub fn needs_previous(&self) -> bool {
-        is_stepped(self) || self.corrects_pressure() || self.variable_support == 1
+        is_stepped(self) || self.corrects_pressure() || self.has_variable_support == 1
     }
 
     /// Is pressure iterated?
@@ -28,19 +28,19 @@ impl Model {
     /// Is there anything left to do after the forces?
     #[must_use]
     pub fn integrates_after(&self) -> bool {
-        self.walls == 1 || !knows_velocity(self)
+        self.has_container == 1 || !knows_velocity(self)
     }
 
     /// Does density follow from the distances of neighbours alone, whoever they are?
     #[must_use]
     pub fn sums_distances(&self) -> bool {
-        !is_stepped(self) && !counts_masses(self) && self.variable_support == 0
+        !is_stepped(self) && !counts_masses(self) && self.has_variable_support == 0
     }
 
     /// Does a step list neighbours? The half stencil finds them anew.
     #[must_use]
     pub fn makes_lists(&self) -> bool {
-        self.half_stencil == 0
+        self.is_half_stencil == 0
     }
 
     /// Are kernels read from tables?
@@ -53,7 +53,7 @@ impl Model {
     #[must_use]
     pub(crate) fn at_rest(mut self) -> Model {
         self.integrator = SEMI_IMPLICIT_EULER;
-        self.reevaluates = 0;
+        self.is_reevaluated = 0;
         self
     }
 }

@@ -37,20 +37,20 @@ impl Known {
     /// The model of which this much is known: the same one, where it is true of it.
     #[inline(always)]
     pub(crate) const fn in_model(self, model: &Model) -> Model {
-        let usual = Model { evaluation: DIRECT, variable_support: 0, air: 0, ..*model };
+        let usual = Model { evaluation: DIRECT, has_variable_support: 0, has_air: 0, ..*model };
         match self {
             Known::OneMaterial => Model {
-                periodic: 0,
+                is_periodic: 0,
                 wall_particles: 0,
-                masses: 0,
-                species: 0,
-                fluids: 0,
-                states: 0,
-                numbers: 0,
+                has_variable_mass: 0,
+                has_materials: 0,
+                is_multi_fluid: 0,
+                has_mixed_state_equations: 0,
+                has_number_density_volume: 0,
                 ..usual
             },
-            Known::NoPeriods => Model { periodic: 0, ..usual },
-            Known::Periods => Model { periodic: 1, ..usual },
+            Known::NoPeriods => Model { is_periodic: 0, ..usual },
+            Known::Periods => Model { is_periodic: 1, ..usual },
             Known::Nothing => *model,
         }
     }

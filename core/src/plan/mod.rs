@@ -14,7 +14,7 @@ pub use explain::{LeftOut, Terms};
 
 use crate::layout::Model;
 use crate::scene::{
-    DensityForm, Dimension, Evaluation, Fluid, GridStructure, Live, ModelChoice, NearPressure, Reflection,
+    Adjustable, DensityForm, Dimension, Evaluation, Fluid, Formulation, GridStructure, NearPressure, Reflection,
     SurfaceTension, Traversal, Viscosity,
 };
 use crate::terms::{near, tension, viscosity, wall};
@@ -28,7 +28,7 @@ pub struct Plan {
     /// The choices that the terms compare.
     pub model: Model,
     /// The choices by name.
-    pub choice: ModelChoice,
+    pub choice: Formulation,
 }
 
 impl Plan {
@@ -37,43 +37,43 @@ impl Plan {
     pub fn of(scene: &Checked<'_>) -> Plan {
         let everything = Plan::everything(scene);
         let (fluid, choice) = (&scene.fluid, &scene.model);
-        let shears = choice.viscosity == Viscosity::Exchange && fluid.velocity_exchange != 0.0;
+        let shears = choice.viscosity == Viscosity::VelocityExchange && fluid.velocity_exchange != 0.0;
         let viscous = scene.blocks.iter().any(|b| b.dynamic_viscosity.is_some_and(|mu| mu != 0.0))
             || scene.walls.iter().any(|w| w.dynamic_viscosity.is_some_and(|mu| mu != 0.0));
         let drags = match choice.viscosity {
             Viscosity::Artificial => fluid.alpha != 0.0 || fluid.beta != 0.0,
-            Viscosity::Exchange => false,
+            Viscosity::VelocityExchange => false,
             _ => viscous || scene.fluids().any(|fluid| fluid.dynamic_viscosity != 0.0),
         };
         let near =
             choice.near_pressure != NearPressure::Off && scene.fluids().any(|fluid| fluid.near_stiffness != Some(0.0));
         let pulls = scene.fluids().any(|fluid| fluid.surface_tension != 0.0);
         let several = !scene.other_fluids.is_empty();
-        let live = |term: Live| scene.live.contains(&term);
-        let drags = drags || live(Live::Viscosity);
-        let pulls = pulls || live(Live::SurfaceTension);
+        let live = |term: Adjustable| scene.adjustable.contains(&term);
+        let drags = drags || live(Adjustable::Viscosity);
+        let pulls = pulls || live(Adjustable::SurfaceTension);
         let blocks_differ = scene.blocks.iter().any(|b| b.dynamic_viscosity.is_some());
         Plan {
             model: Model {
                 near_pressure: if near { everything.model.near_pressure } else { near::NEAR_OFF },
                 viscosity: if drags { everything.model.viscosity } else { viscosity::NO_VISCOSITY },
-                exchange: u32::from(shears || fluid.radial_exchange != 0.0),
-                gravity: u32::from(scene.gravity != [0.0; 3] || live(Live::Gravity)),
-                buoyancy: u32::from(scene.ambient_density != 0.0),
-                wind: u32::from(scene.wind.is_some_and(|w| w.drag != 0.0) || live(Live::Wind)),
-                walls: u32::from(scene.container.is_some()),
+                has_velocity_exchange: u32::from(shears || fluid.radial_exchange != 0.0),
+                has_gravity: u32::from(scene.gravity != [0.0; 3] || live(Adjustable::Gravity)),
+                has_buoyancy: u32::from(scene.ambient_density != 0.0),
+                has_wind: u32::from(scene.wind.is_some_and(|w| w.drag != 0.0) || live(Adjustable::Wind)),
+                has_container: u32::from(scene.container.is_some()),
                 wall_particles: if scene.walls.is_empty() { wall::NO_WALLS } else { everything.model.wall_particles },
-                variable_support: u32::from(choice.variable_support.is_some()),
-                masses: u32::from(choice.hydrostatic_start),
-                species: u32::from(blocks_differ || several || !scene.walls.is_empty()),
-                fluids: u32::from(several),
+                has_variable_support: u32::from(choice.variable_support.is_some()),
+                has_variable_mass: u32::from(choice.initialize_hydrostatic),
+                has_materials: u32::from(blocks_differ || several || !scene.walls.is_empty()),
+                is_multi_fluid: u32::from(several),
                 tension: if pulls { everything.model.tension } else { tension::NO_TENSION },
-                air: u32::from(scene.air.is_some()),
-                normals: u32::from(choice.surface_normals || pulls && everything.model.has_curvature()),
-                springs: u32::from(scene.fluids().any(is_elastic)),
-                plastic: u32::from(scene.fluids().any(is_elastic) && everything.model.plastic == 1),
-                thermal_energy: u32::from(choice.thermal_energy),
-                xsph: u32::from(fluid.xsph != 0.0),
+                has_air: u32::from(scene.air.is_some()),
+                has_normals: u32::from(choice.surface_normals || pulls && everything.model.has_curvature()),
+                has_springs: u32::from(scene.fluids().any(is_elastic)),
+                is_plastic: u32::from(scene.fluids().any(is_elastic) && everything.model.is_plastic == 1),
+                has_internal_energy: u32::from(choice.internal_energy),
+                has_xsph: u32::from(fluid.xsph != 0.0),
                 ..everything.model
             },
             ..everything
@@ -84,7 +84,11 @@ impl Plan {
     #[must_use]
     pub fn everything(scene: &Checked<'_>) -> Plan {
         let choice = scene.model;
-        let near = if choice.near_pressure == NearPressure::Off { NearPressure::Thesis } else { choice.near_pressure };
+        let near = if choice.near_pressure == NearPressure::Off {
+            NearPressure::DensityProportional
+        } else {
+            choice.near_pressure
+        };
         let tensionless = choice.surface_tension == SurfaceTension::Off;
         let own_equation = |fluid: &Fluid| scene.equation_of(fluid);
         let adapted_density = !matches!(choice.density, DensityForm::Summation | DensityForm::Continuity);
@@ -99,46 +103,47 @@ impl Plan {
                 pressure_solver: choice.pressure_solver as u32,
                 equation_of_state: own_equation(&scene.fluid) as u32,
                 iteration: choice.correction.iteration as u32,
-                suction: u32::from(choice.suction),
+                allows_negative_pressure: u32::from(choice.negative_pressure),
                 pressure_force: choice.pressure_force as u32,
                 near_pressure: near as u32,
                 viscosity: choice.viscosity as u32,
-                exchange: 1,
-                gravity: 1,
-                buoyancy: 1,
-                wind: 1,
-                field: u32::from(scene.field.is_some()),
-                walls: 1,
-                reflection: scene.container.as_ref().map_or(Reflection::default(), |c| c.reflection) as u32,
+                has_velocity_exchange: 1,
+                has_gravity: 1,
+                has_buoyancy: 1,
+                has_wind: 1,
+                has_acceleration_field: u32::from(scene.acceleration_field.is_some()),
+                has_container: 1,
+                has_conserving_reflection: scene.container.as_ref().map_or(Reflection::default(), |c| c.reflection)
+                    as u32,
                 wall_particles: choice.wall_pressure as u32,
-                periodic: u32::from(scene.periodic_axes().next().is_some()),
+                is_periodic: u32::from(scene.periodic_axes().next().is_some()),
                 // a table is made for one support, and the half stencil searches by one
-                variable_support: u32::from(
+                has_variable_support: u32::from(
                     choice.evaluation == Evaluation::Direct && scene.grid.traversal == Traversal::FullStencil,
                 ),
-                masses: 1,
-                species: 1,
-                fluids: 1,
-                states: u32::from(
+                has_variable_mass: 1,
+                has_materials: 1,
+                is_multi_fluid: 1,
+                has_mixed_state_equations: u32::from(
                     scene.other_fluids.iter().any(|fluid| own_equation(fluid) != own_equation(&scene.fluid)),
                 ),
-                numbers: u32::from(choice.pressure_force.is_adapted() && !adapted_density),
+                has_number_density_volume: u32::from(choice.pressure_force.is_adapted() && !adapted_density),
                 tension: if tensionless { tension::ATTRACTION } else { choice.surface_tension as u32 },
-                normals: 1,
-                springs: 1,
-                plastic: u32::from(scene.elasticity.plasticity.is_some() || scene.elasticity.break_at.is_some()),
-                air: u32::from(scene.air.is_some()),
-                thermal_energy: 1,
-                xsph: 1,
-                layers: u32::from(scene.dimension == Dimension::Three),
+                has_normals: 1,
+                has_springs: 1,
+                is_plastic: u32::from(scene.elasticity.plasticity.is_some() || scene.elasticity.break_at.is_some()),
+                has_air: u32::from(scene.air.is_some()),
+                has_internal_energy: 1,
+                has_xsph: 1,
+                is_3d: u32::from(scene.dimension == Dimension::Three),
                 integrator: choice.integrator as u32,
-                reevaluates: u32::from(choice.reevaluate),
-                adaptive: u32::from(scene.adaptive.is_some()),
+                is_reevaluated: u32::from(choice.reevaluate),
+                is_adaptive: u32::from(scene.adaptive.is_some()),
                 cell_places: match scene.grid.structure {
                     GridStructure::IndexSort => 0,
                     GridStructure::CellLists { places } => places,
                 },
-                half_stencil: scene.grid.traversal as u32,
+                is_half_stencil: scene.grid.traversal as u32,
             },
         }
     }

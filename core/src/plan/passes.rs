@@ -41,7 +41,7 @@ macro_rules! with_passes {
             /// Moves an array into the slots; runs once for each array that a step sorts.
             Gather: b_sort / gather, particles, reads, if |_| true, [read source_slot];
             /// Finds the support radius of each particle (where they vary).
-            Support: c_density / support, particles, reads, if |m| m.variable_support == 1, [
+            Support: c_density / support, particles, reads, if |m| m.has_variable_support == 1, [
                 read previous_density_pressure, write support_ratio];
             /// Lists the neighbours of each particle. Where density follows from distances alone, the density pass does that; the half
             /// stencil makes no lists.
@@ -55,11 +55,11 @@ macro_rules! with_passes {
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read support_ratio,
                 read acceleration_field, write acceleration@force];
             /// Finds the normals of surfaces (where somebody needs them).
-            Normals: d_forces / normals, particles, reads, if |m| m.normals == 1, [
+            Normals: d_forces / normals, particles, reads, if |m| m.has_normals == 1, [
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read support_ratio,
                 write normal@new];
             /// Finds the particles of liquid that nothing covers (with air).
-            Exposure: d_forces / exposure, particles, reads, if |m| m.air == 1, [
+            Exposure: d_forces / exposure, particles, reads, if |m| m.has_air == 1, [
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read support_ratio,
                 write total_colour_gradient];
             /// Adds the acceleration by the curvature of surfaces (where they have a tension).
@@ -67,11 +67,11 @@ macro_rules! with_passes {
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read support_ratio,
                 read normal@new, write acceleration@force];
             /// Adds the acceleration by springs (where a fluid is elastic).
-            Springs: d_forces / springs, particles, reads, if |m| m.springs == 1, [
+            Springs: d_forces / springs, particles, reads, if |m| m.has_springs == 1, [
                 read position@new, read id@new, read slot_of_id@new, read spring_ranges, read spring_ends@old,
                 write acceleration@force];
             /// Lets the lengths at rest of springs follow their strain (where they are plastic or brittle).
-            SpringLengths: d_forces / spring_lengths, particles, reads, if |m| m.plastic == 1, [
+            SpringLengths: d_forces / spring_lengths, particles, reads, if |m| m.is_plastic == 1, [
                 read position@new, read id@new, read slot_of_id@new, read spring_ranges, read spring_ends@old,
                 write spring_ends@new];
             /// Adds the acceleration by pressure (where pressure is iterated; once more than the next two).
@@ -89,28 +89,28 @@ macro_rules! with_passes {
                 read velocity@new, read acceleration@new, read start_acceleration, read history@new,
                 write end_velocity];
             /// Steps the thermal energy (where a scene keeps account of it).
-            InternalEnergy: f_advance / internal_energy, particles, reads, if |m| m.thermal_energy == 1, [
+            InternalEnergy: f_advance / internal_energy, particles, reads, if |m| m.has_internal_energy == 1, [
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read end_velocity,
                 read support_ratio, write internal_energy@new];
             /// Computes the velocities to move with (XSPH).
-            Xsph: f_advance / xsph, particles, reads, if |m| m.xsph == 1, [
+            Xsph: f_advance / xsph, particles, reads, if |m| m.has_xsph == 1, [
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read end_velocity,
                 read support_ratio, write xsph_velocity@new];
             /// Finds the particles beside which air is wanted (with air).
-            SpawnRequests: f_advance / spawn_requests, particles, reads, if |m| m.air == 1, [
+            SpawnRequests: f_advance / spawn_requests, particles, reads, if |m| m.has_air == 1, [
                 read cell_start, read position@new, read total_colour_gradient, read id@new, write spawn_requested];
             /// Moves velocities and positions to the end of the step, and applies the penalty walls: the second half of the integrator.
             IntegrateAfter: f_advance / integrate_after, particles, reads, if |m| m.integrates_after(), [
                 write position@new, write velocity@new, read acceleration@new, read start_acceleration,
                 read end_velocity, write history@new];
             /// Makes air where it is wanted, and removes it where it is thin (with air).
-            Spawn: g_finish / spawn, group, counts, if |m| m.air == 1, [
+            Spawn: g_finish / spawn, group, counts, if |m| m.has_air == 1, [
                 write position@new, write velocity@new, write acceleration@new, write density_pressure@new,
                 read total_colour_gradient, write spawn_requested, read slot_of_id@new];
             /// Checks that an array of the new state is finite; runs once for each.
             Validate: g_finish / validate, particles, counts, if |_| true, [read id@new];
             /// Finds the maxima that the next time step follows from (where it does).
-            Measure: g_finish / measure, particles, counts, if |m| m.adaptive == 1, [
+            Measure: g_finish / measure, particles, counts, if |m| m.is_adaptive == 1, [
                 read velocity@new, read acceleration@new, read density_pressure@new];
             /// Makes the step count, or says why it does not.
             Commit: g_finish / commit, group, counts, if |_| true, [];

@@ -55,7 +55,7 @@ pub fn schedule(m: &Model, iterations: u32) -> Schedule {
     // forces are evaluated again once all that needs the first ones has had them
     let (before, after) = Pass::ALL.split_at(Pass::SpawnRequests as usize);
     add(&mut commands, m, before, iterations);
-    if m.reevaluates == 1 {
+    if m.is_reevaluated == 1 {
         let forces = [Pass::Force, Pass::Tension, Pass::Springs].into_iter().filter(|pass| pass.runs(m));
         forces.for_each(|pass| push(&mut commands, Command::RunAgain(pass)));
     }

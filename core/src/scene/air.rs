@@ -1,4 +1,4 @@
-//! A coat of air around the liquid (S0 section 3.4.2, an idea that the thesis did not finish).
+//! A coat of air around the liquid (Pirovano, section 3.4.2, an idea that the thesis did not finish).
 
 /// Air that is made where a surface is bare, and goes where it has lost the liquid.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -35,19 +35,19 @@ macro_rules! choice {
 choice! {
     /// A smoothing kernel. All vanish at the support radius; `terms` names its value and its slope.
     pub enum Kernel {
-        /// Mueller et al. 2003, eq. 20 (S0 eq. 2.44); its gradient vanishes for close pairs: a poor pressure kernel.
+        /// Mueller et al. 2003, eq. 20 (Pirovano eq. 2.44); its gradient vanishes for close pairs: a poor pressure kernel.
         Poly6 = kernel::POLY6 => &["poly6_w", "poly6_slope"],
-        /// Mueller et al. 2003, eq. 21 (S0 eq. 2.45); also the near density's kernel of S4.
+        /// Mueller et al. 2003, eq. 21 (Pirovano eq. 2.45); also the near density's kernel of Gourlay.
         Spiky = kernel::SPIKY => &["spiky_w", "spiky_slope"],
-        /// Monaghan and Lattanzio 1985 (S0 eq. 2.43, S1 section 4.1), with the support radius as its 2 h.
+        /// Monaghan and Lattanzio 1985 (Pirovano eq. 2.43, Hinsch 2024, section 4.1), with the support radius as its 2 h.
         CubicSpline = kernel::CUBIC_SPLINE => &["cubic_spline_w", "cubic_spline_slope"],
-        /// The Gaussian (S0 eq. 2.42; S4 table 1), cut off where it has fallen to e^-9.
+        /// The Gaussian (Pirovano eq. 2.42; Gourlay table 1), cut off where it has fallen to e^-9.
         Gaussian = kernel::GAUSSIAN => &["gaussian_w", "gaussian_slope"],
-        /// Lucy 1977 (S4 table 1).
+        /// Lucy 1977 (Gourlay table 1).
         Lucy = kernel::LUCY => &["lucy_w", "lucy_slope"],
-        /// Mueller et al. 2003, eq. 22 (S0 eq. 2.46). Infinite at no distance: not for densities.
+        /// Mueller et al. 2003, eq. 22 (Pirovano eq. 2.46). Infinite at no distance: not for densities.
         Viscosity = kernel::VISCOSITY => &["viscosity_w", "viscosity_slope"],
-        /// Clavet et al. 2005: `(1 - q)^2`, the density kernel of S4's near pair.
+        /// Clavet et al. 2005: `(1 - q)^2`, the density kernel of Gourlay's near pair.
         Clavet = kernel::CLAVET => &["clavet_w", "clavet_slope"],
         /// Wendland 1995, C2: particles do not pair (Dehnen and Aly 2012).
         WendlandC2 = kernel::WENDLAND_C2 => &["wendland_c2_w", "wendland_c2_slope"],
@@ -59,16 +59,16 @@ choice! {
 choice! {
     /// Where density comes from.
     pub enum DensityForm {
-        /// `rho_a = sum m_b W_ab` (S0 eq. 2.10).
+        /// `rho_a = sum m_b W_ab` (Pirovano eq. 2.10).
         Summation = density::SUMMATION => &["density_neighbour"],
-        /// `d rho_a / dt = sum m_b (v_a - v_b) . grad W_ab`, stepped (S0 eq. 2.12; S3): no deficiency at a free surface.
+        /// `d rho_a / dt = sum m_b (v_a - v_b) . grad W_ab`, stepped (Pirovano eq. 2.12; Roy): no deficiency at a free surface.
         Continuity = density::CONTINUITY => &["continuity_neighbour"],
-        /// `n_a = sum W_ab`, particles per volume (S4; S0 eq. 3.1).
+        /// `n_a = sum W_ab`, particles per volume (Gourlay; Pirovano eq. 3.1).
         NumberDensity = density::NUMBER_DENSITY => &["number_density_neighbour"],
-        /// `rho_a = m_a sum W_ab` (Solenthaler and Pajarola 2008; S0 eq. 3.5): as if all neighbours were of the particle's own
+        /// `rho_a = m_a sum W_ab` (Solenthaler and Pajarola 2008; Pirovano eq. 3.5): as if all neighbours were of the particle's own
         /// fluid, so that no density is smeared across an interface.
         SummationAdapted = density::SUMMATION_ADAPTED => &["number_density_neighbour"],
-        /// `d rho_a / dt = m_a sum (v_a - v_b) . grad W_ab` (S0 section 4.1.2 per errata): the same, stepped.
+        /// `d rho_a / dt = m_a sum (v_a - v_b) . grad W_ab` (Pirovano, section 4.1.2, corrected): the same, stepped.
         ContinuityAdapted = density::CONTINUITY_ADAPTED => &["continuity_neighbour"],
     }
 }
@@ -76,11 +76,12 @@ choice! {
 choice! {
     /// How pressure follows from density.
     pub enum EquationOfState {
-        /// Monaghan 1994, exponent 7 (S0 eq. 2.15; S1 section 4.4; S3 with the corrected constant).
+        /// Monaghan 1994, exponent 7 (Pirovano eq. 2.15; Hinsch 2024, section 4.4; Roy with the corrected constant).
         Tait = state::TAIT => &["pressure_tait"],
-        /// Desbrun and Cani 1996, linear (S0 eq. 2.14; S4's pseudo-pressure).
-        Desbrun = state::DESBRUN => &["pressure_desbrun"],
-        /// A gas at one temperature, `P = c0^2 rho` (S0 eq. 2.13).
+        /// Desbrun and Cani 1996, linear (Pirovano eq. 2.14; Gourlay's pseudo-pressure).
+        #[cfg_attr(feature = "serde", serde(alias = "Desbrun"))]
+        Linear = state::LINEAR => &["pressure_linear"],
+        /// A gas at one temperature, `P = c0^2 rho` (Pirovano eq. 2.13).
         IdealGas = state::IDEAL_GAS => &["pressure_ideal_gas"],
     }
 }
@@ -92,30 +93,30 @@ choice! {
         /// From the density, by an [`EquationOfState`].
         #[default]
         EquationOfState = correction::EQUATION_OF_STATE => &[],
-        /// From an iteration that ends when the predicted density fits ([`Correction`](super::Correction); S0 3.2.2). No equation of
+        /// From an iteration that ends when the predicted density fits ([`Correction`](super::Correction); Pirovano 3.2.2). No equation of
         /// state is used; where one is asked for, it is the linear one that the speed of sound makes.
         PressureCorrection = correction::PRESSURE_CORRECTION => &["pressure_correction"],
     }
 }
 
 choice! {
-    /// How pressure becomes force: the forms of the gradient (S0 eqs. 2.4, 2.6, 2.7; S4 table 2).
+    /// How pressure becomes force: the forms of the gradient (Pirovano eqs. 2.4, 2.6, 2.7; Gourlay table 2).
     pub enum PressureForce {
-        /// Mueller et al. 2003 (S0 eq. 2.19): cheap, and half of the gradient.
+        /// Mueller et al. 2003 (Pirovano eq. 2.19): cheap, and half of the gradient.
         Mueller = pressure::MUELLER => &["pressure_mueller"],
-        /// Monaghan 1992 (S0 eq. 2.18), the symmetric gradient: with one kernel for density and gradient it conserves
+        /// Monaghan 1992 (Pirovano eq. 2.18), the symmetric gradient: with one kernel for density and gradient it conserves
         /// energy.
         Monaghan = pressure::MONAGHAN => &["pressure_monaghan"],
-        /// The canonical gradient (S0 eq. 2.17): the plainest, and it keeps no momentum.
+        /// The canonical gradient (Pirovano eq. 2.17): the plainest, and it keeps no momentum.
         Canonical = pressure::CANONICAL => &["pressure_canonical"],
-        /// The difference gradient (S0 eq. 2.6): zero for an even pressure, and it keeps no momentum.
+        /// The difference gradient (Pirovano eq. 2.6): zero for an even pressure, and it keeps no momentum.
         Difference = pressure::DIFFERENCE => &["pressure_difference"],
-        /// The symmetric gradient on the number density (S4 table 2): needs [`DensityForm::NumberDensity`].
+        /// The symmetric gradient on the number density (Gourlay table 2): needs [`DensityForm::NumberDensity`].
         NumberDensity = pressure::NUMBER_DENSITY_FORCE => &["pressure_number_density"],
-        /// Mueller's on the number density `delta` (Solenthaler and Pajarola 2008; S0 eq. 3.6 per errata): with it, a
+        /// Mueller's on the number density `delta` (Solenthaler and Pajarola 2008; Pirovano eq. 3.6, corrected): with it, a
         /// particle's volume is `1 / delta` in every term.
         MuellerAdapted = pressure::MUELLER_ADAPTED => &["pressure_mueller"],
-        /// Monaghan's on the number density (S0 section 4.1.2 per errata), likewise.
+        /// Monaghan's on the number density (Pirovano, section 4.1.2, corrected), likewise.
         MonaghanAdapted = pressure::MONAGHAN_ADAPTED => &["pressure_number_density"],
         /// Weighted by the densities of a pair, on the number density (Hu and Adams 2007): where two fluids meet, the one that
         /// holds the lighter one at rest too.
@@ -136,27 +137,31 @@ choice! {
     pub enum NearPressure {
         /// Nothing.
         Off = near::NEAR_OFF => &[],
-        /// `P_near = k_near rho` with a narrower slope (S0 section 3.1 per errata).
-        Thesis = near::THESIS => &["near_pressure_thesis", "near_slope_thesis"],
-        /// `P_near = k_near rho_near` on a density of its own (S4 after Clavet et al. 2005).
-        Article = near::ARTICLE => &["near_density_neighbour", "near_slope_article"],
+        /// `P_near = k_near rho` with a narrower slope (Pirovano, section 3.1, corrected).
+        #[cfg_attr(feature = "serde", serde(alias = "Thesis"))]
+        DensityProportional = near::DENSITY_PROPORTIONAL => &["near_pressure_proportional", "near_slope_proportional"],
+        /// `P_near = k_near rho_near` on a density of its own (Gourlay after Clavet et al. 2005).
+        #[cfg_attr(feature = "serde", serde(alias = "Article"))]
+        DoubleDensity = near::DOUBLE_DENSITY => &["near_density_neighbour", "near_slope_double_density"],
     }
 }
 
 choice! {
     /// How velocities diffuse.
     pub enum Viscosity {
-        /// Mueller et al. 2003 (S0 eq. 2.24), by the Laplacian of the viscosity kernel.
+        /// Mueller et al. 2003 (Pirovano eq. 2.24), by the Laplacian of the viscosity kernel.
         Mueller = viscosity::MUELLER_VISCOSITY => &["viscosity_mueller"],
-        /// Morris et al. 1997 (S0 eq. 2.23 per errata), by its slope.
+        /// Morris et al. 1997 (Pirovano eq. 2.23, corrected), by its slope.
         Morris = viscosity::MORRIS => &["viscosity_morris"],
-        /// Monaghan 1992's artificial viscosity (S0 eqs. 2.20 to 2.22 per errata): `fluid.alpha`, `fluid.beta`.
+        /// Monaghan 1992's artificial viscosity (Pirovano eqs. 2.20 to 2.22, corrected): `fluid.alpha`, `fluid.beta`.
         Artificial = viscosity::ARTIFICIAL => &["viscosity_artificial"],
-        /// S1's form (eq. 4.5 per errata), which keeps angular momentum.
-        Dotted = viscosity::DOTTED => &["viscosity_dotted"],
-        /// S4's exchange of velocity: `fluid.velocity_exchange`, a share a step.
-        Exchange = viscosity::EXCHANGE => &["exchange_neighbour"],
-        /// Mueller's on the number density (Solenthaler and Pajarola 2008; S0 eq. 3.7 per errata): needs a density or a
+        /// Hinsch's form (eq. 4.5, corrected), which keeps angular momentum.
+        #[cfg_attr(feature = "serde", serde(alias = "Dotted"))]
+        MonaghanGingold = viscosity::MONAGHAN_GINGOLD => &["viscosity_monaghan_gingold"],
+        /// Gourlay's exchange of velocity: `fluid.velocity_exchange`, a share a step.
+        #[cfg_attr(feature = "serde", serde(alias = "Exchange"))]
+        VelocityExchange = viscosity::VELOCITY_EXCHANGE => &["exchange_neighbour"],
+        /// Mueller's on the number density (Solenthaler and Pajarola 2008; Pirovano eq. 3.7, corrected): needs a density or a
         /// pressure force that is adapted too.
         MuellerAdapted = viscosity::MUELLER_ADAPTED_VISCOSITY => &["viscosity_mueller"],
     }
@@ -167,7 +172,7 @@ choice! {
     pub enum SurfaceTension {
         /// Not at all.
         Off = tension::NO_TENSION => &[],
-        /// By the curvature of its colour, `-laplacian C / |n|` (Morris 1999, Mueller et al. 2003; S0 eqs. 3.8 to 3.11): its
+        /// By the curvature of its colour, `-laplacian C / |n|` (Morris 1999, Mueller et al. 2003; Pirovano eqs. 3.8 to 3.11): its
         /// tension is a tension, in N/m, where there is another fluid beyond the surface. In nothing half of the colour's
         /// profile is missing.
         Curvature = tension::CURVATURE => &["colour_gradient", "colour_laplacian", "curvature_of_colour", "tension_close"],
@@ -175,10 +180,10 @@ choice! {
         /// beyond the surface.
         NormalCurvature = tension::NORMAL_CURVATURE =>
             &["colour_gradient", "normal_divergence", "curvature_of_normals", "tension_close"],
-        /// By attraction between its particles (Becker and Teschner 2007; S0 eq. 3.12 per errata): a coefficient whose
+        /// By attraction between its particles (Becker and Teschner 2007; Pirovano eq. 3.12, corrected): a coefficient whose
         /// tension is to be measured.
         Attraction = tension::ATTRACTION => &["attraction"],
-        /// By the sum of kernel gradients (S1 section 6.4): likewise.
+        /// By the sum of kernel gradients (Hinsch 2024, section 6.4): likewise.
         GradientSum = tension::GRADIENT_SUM => &["gradient_sum"],
     }
 }
@@ -186,16 +191,17 @@ choice! {
 choice! {
     /// What a particle of a wall does to the pressure of its neighbours.
     pub enum WallPressure {
-        /// It answers with their own pressure (S1 algorithm 1); two layers. What a wall gives back then is no pair's work: it
+        /// It answers with their own pressure (Hinsch 2024 algorithm 1); two layers. What a wall gives back then is no pair's work: it
         /// feeds what moves along it, and fluids of little viscosity boil at such walls after a second or two.
         Mirrored = wall::MIRRORED => &["wall_mirrored"],
-        /// It has density and pressure like the fluid (S0 section 3.5.3); three layers.
-        QuasiFluid = wall::QUASI_FLUID => &["wall_quasi_fluid"],
+        /// It has density and pressure like the fluid (Pirovano, section 3.5.3); three layers.
+        #[cfg_attr(feature = "serde", serde(alias = "QuasiFluid"))]
+        Dynamic = wall::DYNAMIC => &["wall_dynamic"],
     }
 }
 
 choice! {
-    /// How particles are moved from step to step (S0 section 2.3.1 with the errata). Stable up to a product of the largest
+    /// How particles are moved from step to step (Pirovano, section 2.3.1 with the errata). Stable up to a product of the largest
     /// frequency and the time step which is given without damping, and critically damped.
     #[derive(Default)]
     pub enum Integrator {
@@ -210,7 +216,7 @@ choice! {
         Verlet = integrate::VERLET => &["verlet_position", "verlet_velocity"],
         /// Velocity Verlet (eq. 2.32): to 2, and 0.732. Verlet's motion, with other roundings.
         VelocityVerlet = integrate::VELOCITY_VERLET => &["velocity_verlet_position", "velocity_verlet_velocity"],
-        /// Leapfrog (eq. 2.34; S3): to 2, and 0.732. Again the same motion.
+        /// Leapfrog (eq. 2.34; Roy): to 2, and 0.732. Again the same motion.
         Leapfrog = integrate::LEAPFROG => &["leapfrog_position", "leapfrog_velocity"],
         /// Clavet's prediction and relaxation (eq. 2.35): to 1.155, and 0.667.
         Clavet = integrate::PREDICTION_RELAXATION => &["clavet_prediction", "clavet_relaxation", "clavet_velocity"],
@@ -225,7 +231,7 @@ choice! {
     }
 }
 
-/// How kernels are evaluated (S0 section 4.2.3).
+/// How kernels are evaluated (Pirovano, section 4.2.3).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(u32)]
@@ -248,7 +254,7 @@ pub enum Iteration {
     /// from step to step.
     #[default]
     Relaxed = correction::RELAXED,
-    /// As printed (S0 eqs. 3.3 and 3.4 per errata): from no pressure, by the full stiffness. Refused where it cannot
+    /// As printed (Pirovano eqs. 3.3 and 3.4, corrected): from no pressure, by the full stiffness. Refused where it cannot
     /// converge.
     Literal = correction::LITERAL,
 }
@@ -278,9 +284,9 @@ impl Dimension {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Reflection {
-    /// All that `bounce` says, however late the wall was found.
+    /// All that `restitution` says, however late the wall was found.
     Full = 0,
-    /// Only the share of the path that lay behind the wall (S0 figure 3.8).
+    /// Only the share of the path that lay behind the wall (Pirovano figure 3.8).
     #[default]
     EnergyConserving = 1,
 }
@@ -332,7 +338,7 @@ pub enum Traversal {
     /// is the faster one in lanes.
     #[default]
     FullStencil = 0,
-    /// The half of those cells that lies ahead: each pair is computed once, and both of its particles get their share (Gourlay, S4).
+    /// The half of those cells that lies ahead: each pair is computed once, and both of its particles get their share (Gourlay, Gourlay).
     /// It works plane by plane, the even planes first. Its order of summation is its own and depends on the number of cells, and so
     /// do its bits; they are the same at every level, on any number of threads and with either structure. It runs on the CPU alone,
     /// and a scene is refused where a pair does not act alike on both particles, or where another pass needs all neighbours.
@@ -343,9 +349,9 @@ pub enum Traversal {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum GridStructure {
-    /// Count, prefix sum, place (S1 section 6.2): a cell holds any number.
+    /// Count, prefix sum, place (Hinsch 2024, section 6.2): a cell holds any number.
     IndexSort,
-    /// A fixed number of places a cell (the CUDA design, S0 section 4.4.2): one pass less, and a cell can be full.
+    /// A fixed number of places a cell (the CUDA design, Pirovano, section 4.4.2): one pass less, and a cell can be full.
     CellLists {
         /// Places of a cell.
         places: u32,

@@ -1,4 +1,4 @@
-//! Springs between the particles of an elastic fluid (S0 section 2.2.6).
+//! Springs between the particles of an elastic fluid (Pirovano, section 2.2.6).
 
 /// How particles of a fluid with an [`elastic_stiffness`](super::Fluid::elastic_stiffness) are joined at the start. Springs
 /// are made once; none is ever added.

@@ -4,9 +4,9 @@ use super::choice::EquationOfState;
 /// Fluids that a scene can have.
 pub const FLUIDS: usize = 8;
 
-/// Properties of a fluid (S0 section 4.1.4). The default is water that is as compressible as a simulation likes it.
+/// Properties of a fluid (Pirovano, section 4.1.4). The default is water that is as compressible as a simulation likes it.
 ///
-/// Between two fluids viscosities act by their mean (S0 section 3.3). What is said to be the scene's is taken from its first
+/// Between two fluids viscosities act by their mean (Pirovano, section 3.3). What is said to be the scene's is taken from its first
 /// fluid for all.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
@@ -18,18 +18,18 @@ pub struct Fluid {
     /// How pressure follows from density (default the model's). A scene whose pressure is iterated refuses it.
     pub equation_of_state: Option<EquationOfState>,
     /// Particles inside its own support radius (default the scene's). The scene then has the smallest support radius of its
-    /// fluids (S0 section 3.3).
+    /// fluids (Pirovano, section 3.3).
     pub average_neighbours: Option<f32>,
-    /// Tait's constant, Pa (default `rho0 c0^2 / 7`, the corrected constant of S3): S1's stiffness k. The speed of sound
+    /// Tait's constant, Pa (default `rho0 c0^2 / 7`, the corrected constant of Roy): Hinsch's stiffness k. The speed of sound
     /// then follows from it, `sqrt(7 k / rho0)`, and `speed_of_sound` has no say.
     pub stiffness: Option<f32>,
-    /// Dynamic viscosity, Pa s (default 0: none). For [`Viscosity`](super::Viscosity)`::{Mueller, Morris, Dotted}`.
+    /// Dynamic viscosity, Pa s (default 0: none). For [`Viscosity`](super::Viscosity)`::{Mueller, Morris, MonaghanGingold}`.
     pub dynamic_viscosity: f32,
-    /// Surface tension (default 0: none), by [`ModelChoice::surface_tension`](super::ModelChoice::surface_tension): N/m for
+    /// Surface tension (default 0: none), by [`Formulation::surface_tension`](super::Formulation::surface_tension): N/m for
     /// `Curvature` and `NormalCurvature`; for the models that have no tension of their own a coefficient, m3/s2 for
     /// `Attraction` and m2/s2 for `GradientSum`.
     pub surface_tension: f32,
-    /// Stiffness of the springs that join its particles, N/m (S0 eq. 2.26; default 0: none). Each end feels half of it, so a
+    /// Stiffness of the springs that join its particles, N/m (Pirovano eq. 2.26; default 0: none). Each end feels half of it, so a
     /// spring pulls with half of this stiffness. See [`Elasticity`](super::Elasticity).
     pub elastic_stiffness: f32,
     /// Linear coefficient of the artificial viscosity (default 1), the scene's. With the support radius in place of Monaghan's h, half
@@ -37,24 +37,25 @@ pub struct Fluid {
     pub alpha: f32,
     /// Its quadratic coefficient (default 2), the scene's.
     pub beta: f32,
-    /// Share of the difference between two velocities that a neighbour at no distance exchanges in a step (S4; default 0),
+    /// Share of the difference between two velocities that a neighbour at no distance exchanges in a step (Gourlay; default 0),
     /// for [`Viscosity::Exchange`](super::Viscosity::Exchange). More than about 0.2 is cut down: see
     /// [`terms::exchange`](crate::terms::exchange). The scene's.
     pub velocity_exchange: f32,
-    /// The same, of the velocity with which two particles approach each other (S4's shock viscosity; default 0: none).
+    /// The same, of the velocity with which two particles approach each other (Gourlay's shock viscosity; default 0: none).
     /// Acts beside any viscosity. The scene's.
     pub radial_exchange: f32,
-    /// How much a particle moves with its neighbours (XSPH, S0 eq. 2.16, S3; 0 to 1, default 0: not at all). The
+    /// How much a particle moves with its neighbours (XSPH, Pirovano eq. 2.16, Roy; 0 to 1, default 0: not at all). The
     /// scene's.
     pub xsph: f32,
     /// Near pressure over density, m2/s2 (default 0.1 c0^2, our choice: with c0^2 a liquid becomes a gas). Acts where
-    /// [`ModelChoice::near_pressure`](super::ModelChoice::near_pressure) does.
+    /// [`Formulation::near_pressure`](super::Formulation::near_pressure) does.
     pub near_stiffness: Option<f32>,
-    /// Share of what viscosity dissipates that becomes heat (S4's gain; default 1), where
-    /// [`ModelChoice::thermal_energy`](super::ModelChoice::thermal_energy) is on. The scene's.
+    /// Share of what viscosity dissipates that becomes heat (Gourlay's gain; default 1), where
+    /// [`Formulation::internal_energy`](super::Formulation::internal_energy) is on. The scene's.
     pub heat_gain: f32,
     /// Thermal energy at the start, J/kg (default 0).
-    pub thermal_energy: f32,
+    #[cfg_attr(feature = "serde", serde(alias = "thermal_energy"))]
+    pub internal_energy: f32,
     /// Colour that it is drawn with, red, green and blue from 0 to 1 (default one of a palette).
     pub colour: Option<[f32; 3]>,
 }
@@ -77,7 +78,7 @@ impl Default for Fluid {
             xsph: 0.0,
             near_stiffness: None,
             heat_gain: 1.0,
-            thermal_energy: 0.0,
+            internal_energy: 0.0,
             colour: None,
         }
     }

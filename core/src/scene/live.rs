@@ -1,9 +1,9 @@
 //! Terms that a scene keeps although they do nothing yet, so that they can be switched on between steps.
 
-/// A term that may be changed from nothing to something while the fluid runs ([`Scene::live`](super::Scene::live)).
+/// A term that may be changed from nothing to something while the fluid runs ([`Scene::adjustable`](super::Scene::adjustable)).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Live {
+pub enum Adjustable {
     /// [`Solver::set_gravity`](crate::Solver::set_gravity).
     Gravity,
     /// [`Solver::set_wind`](crate::Solver::set_wind).
@@ -14,7 +14,7 @@ pub enum Live {
     SurfaceTension,
 }
 
-impl Live {
+impl Adjustable {
     /// How many there are.
     pub const COUNT: usize = 4;
 
@@ -22,10 +22,10 @@ impl Live {
     #[must_use]
     pub fn names(self) -> [&'static str; 2] {
         match self {
-            Live::Gravity => ["Gravity", "gravity"],
-            Live::Wind => ["Wind", "wind"],
-            Live::Viscosity => ["Viscosity", "fluid.dynamic_viscosity"],
-            Live::SurfaceTension => ["SurfaceTension", "fluid.surface_tension"],
+            Adjustable::Gravity => ["Gravity", "gravity"],
+            Adjustable::Wind => ["Wind", "wind"],
+            Adjustable::Viscosity => ["Viscosity", "fluid.dynamic_viscosity"],
+            Adjustable::SurfaceTension => ["SurfaceTension", "fluid.surface_tension"],
         }
     }
 }

@@ -20,10 +20,10 @@ pub use choice::{
 pub use elasticity::{Elasticity, Plasticity};
 pub use fluid::{Block, FLUIDS, Fluid};
 pub use initial::InitialParticle;
-pub use live::Live;
-pub use model::{Correction, ModelChoice, SupportRange};
-pub use surroundings::{Container, FieldLattice, Grid, Periodic, WALLS, Wall, WallShape, Wind};
-pub use time::Adaptive;
+pub use live::Adjustable;
+pub use model::{Correction, Formulation, SupportRange};
+pub use surroundings::{AccelerationField, Container, Grid, Periodic, WALLS, Wall, WallShape, Wind};
+pub use time::AdaptiveTimeStep;
 
 use heapless::Vec;
 
@@ -41,7 +41,7 @@ pub struct Scene {
     pub dimension: Dimension,
     /// Distance between particles at the start, m. Smaller: finer, and at the same time step stiffer.
     pub particle_spacing: f32,
-    /// Particles inside a support radius, itself counted (S0 section 4.1.5; default 32). More: smoother and slower.
+    /// Particles inside a support radius, itself counted (Pirovano, section 4.1.5; default 32). More: smoother and slower.
     #[cfg_attr(feature = "serde", serde(default = "default_average_neighbours"))]
     pub average_neighbours: f32,
     /// Time step, s; an adaptive one begins with it, or shorter. Too large against `spacing / speed_of_sound`, and the fluid
@@ -49,23 +49,23 @@ pub struct Scene {
     pub time_step: f32,
     /// A time step that follows from the state (default: none, all steps are alike).
     #[cfg_attr(feature = "serde", serde(default))]
-    pub adaptive: Option<Adaptive>,
+    pub adaptive: Option<AdaptiveTimeStep>,
     /// Share of the support that sound may cross in a step: given, speeds of sound are what the time step allows, the fastest
-    /// fluid's `C H / time_step` and the others in proportion (S4: stiffness for a wanted time step; default: none).
+    /// fluid's `C H / time_step` and the others in proportion (Gourlay: stiffness for a wanted time step; default: none).
     #[cfg_attr(feature = "serde", serde(default))]
     pub stiffness_for_time_step: Option<f32>,
     /// Acceleration that acts everywhere, m/s2 (default none).
     #[cfg_attr(feature = "serde", serde(default))]
     pub gravity: [f32; 3],
-    /// Density of what surrounds the fluid, kg/m3 (default 0): gravity then acts on the difference only (S4's body force).
+    /// Density of what surrounds the fluid, kg/m3 (default 0): gravity then acts on the difference only (Gourlay's body force).
     #[cfg_attr(feature = "serde", serde(default))]
     pub ambient_density: f32,
     /// A wind, if any.
     #[cfg_attr(feature = "serde", serde(default))]
     pub wind: Option<Wind>,
-    /// A field of accelerations that the host gives, if any (S0 section 2.2.5).
-    #[cfg_attr(feature = "serde", serde(default))]
-    pub field: Option<FieldLattice>,
+    /// A field of accelerations that the host gives, if any (Pirovano, section 2.2.5).
+    #[cfg_attr(feature = "serde", serde(default, alias = "field"))]
+    pub acceleration_field: Option<AccelerationField>,
     /// What flows.
     pub fluid: Fluid,
     /// What else flows: fluids 1, 2 ... for [`Block::fluid`].
@@ -90,14 +90,14 @@ pub struct Scene {
     pub air: Option<Air>,
     /// Which formulas are used.
     #[cfg_attr(feature = "serde", serde(default))]
-    pub model: ModelChoice,
+    pub model: Formulation,
     /// How neighbours are found.
     #[cfg_attr(feature = "serde", serde(default))]
     pub grid: Grid,
     /// Terms that are kept although their coefficient is 0, because it may be changed between steps (default none: what does nothing
     /// is left out, and costs nothing).
-    #[cfg_attr(feature = "serde", serde(default))]
-    pub live: Vec<Live, { Live::COUNT }>,
+    #[cfg_attr(feature = "serde", serde(default, alias = "live"))]
+    pub adjustable: Vec<Adjustable, { Adjustable::COUNT }>,
 }
 
 const AVERAGE_NEIGHBOURS: f32 = 32.0;
@@ -121,7 +121,7 @@ impl Scene {
             gravity: [0.0; 3],
             ambient_density: 0.0,
             wind: None,
-            field: None,
+            acceleration_field: None,
             fluid,
             other_fluids: Vec::new(),
             blocks: [block].into_iter().collect(),
@@ -130,9 +130,9 @@ impl Scene {
             periodic: None,
             elasticity: Elasticity::default(),
             air: None,
-            model: ModelChoice::default(),
+            model: Formulation::default(),
             grid: Grid::default(),
-            live: Vec::new(),
+            adjustable: Vec::new(),
         }
     }
 
@@ -173,7 +173,7 @@ impl Scene {
     pub fn equation_of(&self, fluid: &Fluid) -> EquationOfState {
         if self.corrects_pressure() {
             // what the iterated pressure stands for is linear in the compression
-            return EquationOfState::Desbrun;
+            return EquationOfState::Linear;
         }
         fluid.equation_of_state.unwrap_or(self.model.equation_of_state)
     }

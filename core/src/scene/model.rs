@@ -4,13 +4,13 @@ use super::choice::{
     PressureSolver, SurfaceTension, Viscosity, WallPressure,
 };
 
-/// Which formula each term uses. The defaults are S0's (section 4.1.2), in their forms for a single fluid.
+/// Which formula each term uses. The defaults are Pirovano's (section 4.1.2), in their forms for a single fluid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
-pub struct ModelChoice {
+pub struct Formulation {
     /// How particles are moved.
     pub integrator: Integrator,
-    /// Evaluate forces once more at the end of a step, with the velocities that it came to (errata of S0 eq. 2.33): twice the
+    /// Evaluate forces once more at the end of a step, with the velocities that it came to (Pirovano eq. 2.33, corrected): twice the
     /// cost, for stability under damping. Verlet's loses some of it and gains an order; the others keep theirs (default off).
     pub reevaluate: bool,
     /// Kernel of the density sum, and of XSPH.
@@ -23,10 +23,12 @@ pub struct ModelChoice {
     pub evaluation: Evaluation,
     /// Where density comes from.
     pub density: DensityForm,
-    /// Start with the density that the weight of the fluid above asks for, and with masses to match (S3 section 3.1).
-    pub hydrostatic_start: bool,
+    /// Start with the density that the weight of the fluid above asks for, and with masses to match (Roy, section 3.1).
+    #[cfg_attr(feature = "serde", serde(alias = "hydrostatic_start"))]
+    pub initialize_hydrostatic: bool,
     /// Give particles the mass with which the density sum over the lattice is the rest density.
-    pub calibrated_mass: bool,
+    #[cfg_attr(feature = "serde", serde(alias = "calibrated_mass"))]
+    pub normalize_mass: bool,
     /// Where pressure comes from.
     pub pressure_solver: PressureSolver,
     /// Density to pressure, with [`PressureSolver::EquationOfState`].
@@ -34,7 +36,8 @@ pub struct ModelChoice {
     /// How pressure is iterated, with [`PressureSolver::PressureCorrection`].
     pub correction: Correction,
     /// May pressure be negative? Suction holds a free cloud together, and lets particles pair without near pressure.
-    pub suction: bool,
+    #[cfg_attr(feature = "serde", serde(alias = "suction"))]
+    pub negative_pressure: bool,
     /// Pressure to force.
     pub pressure_force: PressureForce,
     /// What keeps particles from pairing.
@@ -43,22 +46,23 @@ pub struct ModelChoice {
     pub viscosity: Viscosity,
     /// How surfaces pull themselves together.
     pub surface_tension: SurfaceTension,
-    /// Length of a normal, over one over the support radius, above which a particle is at the surface (S0 section 3.4.4's
+    /// Length of a normal, over one over the support radius, above which a particle is at the surface (Pirovano, section 3.4.4's
     /// threshold; default 0.1). With `Curvature` and `NormalCurvature` only those feel a tension.
     pub surface_threshold: f32,
     /// Find normals and who is at the surface for the host, also without a tension that needs them (default off).
     pub surface_normals: bool,
-    /// Keep account of heat: compression and what viscosity dissipates (S3; S4).
-    pub thermal_energy: bool,
-    /// Supports that follow the density, within bounds (S0 eq. 4.2 per errata; default: one for all).
+    /// Keep account of heat: compression and what viscosity dissipates (Roy; Gourlay).
+    #[cfg_attr(feature = "serde", serde(alias = "thermal_energy"))]
+    pub internal_energy: bool,
+    /// Supports that follow the density, within bounds (Pirovano eq. 4.2, corrected; default: one for all).
     pub variable_support: Option<SupportRange>,
     /// What a particle of a wall does to the pressure of its neighbours.
     pub wall_pressure: WallPressure,
 }
 
-impl Default for ModelChoice {
+impl Default for Formulation {
     fn default() -> Self {
-        ModelChoice {
+        Formulation {
             integrator: Integrator::default(),
             reevaluate: false,
             density_kernel: Kernel::Poly6,
@@ -66,56 +70,56 @@ impl Default for ModelChoice {
             viscosity_kernel: Kernel::Viscosity,
             evaluation: Evaluation::Direct,
             density: DensityForm::Summation,
-            hydrostatic_start: false,
-            calibrated_mass: false,
+            initialize_hydrostatic: false,
+            normalize_mass: false,
             pressure_solver: PressureSolver::EquationOfState,
             equation_of_state: EquationOfState::Tait,
             correction: Correction::default(),
-            suction: true,
+            negative_pressure: true,
             pressure_force: PressureForce::Mueller,
-            near_pressure: NearPressure::Thesis,
+            near_pressure: NearPressure::DensityProportional,
             viscosity: Viscosity::Mueller,
             surface_tension: SurfaceTension::Off,
             surface_threshold: 0.1,
             surface_normals: false,
-            thermal_energy: false,
+            internal_energy: false,
             variable_support: None,
             wall_pressure: WallPressure::Mirrored,
         }
     }
 }
 
-impl ModelChoice {
-    /// What the literature after S0 found to be better for one fluid: one kernel that does not pair for everything, the
+impl Formulation {
+    /// What the literature after Pirovano found to be better for one fluid: one kernel that does not pair for everything, the
     /// symmetric gradient, Morris' viscosity, and no near pressure, which then has nothing to mend.
     #[must_use]
-    pub fn modern() -> ModelChoice {
-        ModelChoice {
+    pub fn modern() -> Formulation {
+        Formulation {
             density_kernel: Kernel::WendlandC2,
             pressure_kernel: Kernel::WendlandC2,
             viscosity_kernel: Kernel::WendlandC2,
             pressure_force: PressureForce::Monaghan,
             near_pressure: NearPressure::Off,
             viscosity: Viscosity::Morris,
-            ..ModelChoice::default()
+            ..Formulation::default()
         }
     }
 }
 
-impl ModelChoice {
-    /// The modern choice for several fluids: a density adapted to contrasts (S0 section 3.4.3), and the pressure force that
+impl Formulation {
+    /// The modern choice for several fluids: a density adapted to contrasts (Pirovano, section 3.4.3), and the pressure force that
     /// holds still where they meet.
     #[must_use]
-    pub fn multiphase() -> ModelChoice {
-        ModelChoice {
+    pub fn multiphase() -> Formulation {
+        Formulation {
             density: DensityForm::SummationAdapted,
             pressure_force: PressureForce::DensityWeighted,
-            ..ModelChoice::modern()
+            ..Formulation::modern()
         }
     }
 }
 
-/// How far the pressure of a step is iterated (S0 section 3.2.2 per errata).
+/// How far the pressure of a step is iterated (Pirovano, section 3.2.2, corrected).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
 pub struct Correction {

@@ -5,7 +5,7 @@ use heapless::Vec;
 /// Walls of particles that a scene can have.
 pub const WALLS: usize = 8;
 
-/// A box with penalty walls (S0 section 3.5.1). Along a periodic axis it has none.
+/// A box with penalty walls (Pirovano, section 3.5.1). Along a periodic axis it has none.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Container {
@@ -14,15 +14,15 @@ pub struct Container {
     /// Highest corner, m.
     pub high: [f32; 3],
     /// Share of the normal velocity that a wall gives back, 0 to 1 (default 0).
-    #[cfg_attr(feature = "serde", serde(default))]
-    pub bounce: f32,
+    #[cfg_attr(feature = "serde", serde(default, alias = "bounce"))]
+    pub restitution: f32,
     /// Share of the tangential velocity that a wall leaves, 0 (no slip) to 1 (default 1).
     #[cfg_attr(feature = "serde", serde(default = "default_slip"))]
     pub slip: f32,
     /// How much of a bounce is given back (default energy conserving).
     #[cfg_attr(feature = "serde", serde(default))]
     pub reflection: Reflection,
-    /// Faces that are not there, such as a lid (S0's direction control; default none missing).
+    /// Faces that are not there, such as a lid (Pirovano's direction control; default none missing).
     #[cfg_attr(feature = "serde", serde(default))]
     pub open: Vec<Face, FACES>,
 }
@@ -36,12 +36,12 @@ impl Container {
     /// A closed box that gives back nothing and lets everything slide.
     #[must_use]
     pub fn closed(low: [f32; 3], high: [f32; 3]) -> Container {
-        Container { low, high, bounce: 0.0, slip: 1.0, reflection: Reflection::default(), open: Vec::new() }
+        Container { low, high, restitution: 0.0, slip: 1.0, reflection: Reflection::default(), open: Vec::new() }
     }
 }
 
 /// A wall made of particles that stand still: neighbours to the fluid in every sum, so that it feels pressure and drag.
-/// Two layers with mirrored pressure (S1 section 6.3), three as quasi-fluid (S0 section 3.5.3).
+/// Two layers with mirrored pressure (Hinsch 2024, section 6.3), three as quasi-fluid (Pirovano, section 3.5.3).
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Wall {
@@ -104,7 +104,7 @@ pub struct Periodic {
     pub axes: [bool; 3],
 }
 
-/// Air that moves past and drags the fluid along (S0 section 2.2.5's `f_other`): `a = drag (velocity - v)`.
+/// Air that moves past and drags the fluid along (Pirovano, section 2.2.5's `f_other`): `a = drag (velocity - v)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Wind {
@@ -119,7 +119,7 @@ pub struct Wind {
 /// the outermost it falls to nothing within a spacing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
-pub struct FieldLattice {
+pub struct AccelerationField {
     /// Place of the first node, m.
     pub low: [f32; 3],
     /// Distance between nodes, m.
@@ -132,7 +132,7 @@ pub struct FieldLattice {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
 pub struct Grid {
-    /// Cells along x, y, z (default 32 each, S0 section 4.2.2). At least 3; in 2D the one along z is ignored, and along a
+    /// Cells along x, y, z (default 32 each, Pirovano, section 4.2.2). At least 3; in 2D the one along z is ignored, and along a
     /// periodic axis there are as many as fit. With too few, particles that are far apart share cells. That costs
     /// time; it never changes a bit with the full stencil, but does with the half stencil, whose sums follow the cells.
     pub cells: [u32; 3],

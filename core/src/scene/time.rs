@@ -22,7 +22,7 @@ impl Integrator {
         }
     }
 
-    /// The same with forces evaluated again ([`ModelChoice::reevaluate`](super::ModelChoice::reevaluate)).
+    /// The same with forces evaluated again ([`Formulation::reevaluate`](super::Formulation::reevaluate)).
     #[must_use]
     pub fn damped_order_twice(self) -> u32 {
         match self {
@@ -47,12 +47,12 @@ impl Integrator {
     }
 }
 
-/// A time step that follows from the state (S0 section 2.3.5; S3 section 3.3, step 5): the shortest that one of four criteria
+/// A time step that follows from the state (Pirovano, section 2.3.5; Roy, section 3.3, step 5): the shortest that one of four criteria
 /// asks for, H being the support radius. A criterion that is `None` does not count. Waves of a surface and springs have none of
 /// their own: `largest` is to keep their step.
 ///
 /// ```
-/// use millpond_core::scene::{Adaptive, Block, Dimension, Fluid, Grid, Scene};
+/// use millpond_core::scene::{AdaptiveTimeStep, Block, Dimension, Fluid, Grid, Scene};
 /// use millpond_core::{Serial, Solver, Storage};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -60,7 +60,7 @@ impl Integrator {
 /// let mut scene = Scene::of(Dimension::Three, 0.05, 1e-4, Fluid::default(), block);
 /// scene.gravity = [0.0, -9.81, 0.0];
 /// scene.grid = Grid { cells: [8, 8, 8], ..Grid::default() };
-/// scene.adaptive = Some(Adaptive { redo_above: Some(1.5), ..Adaptive::default() });
+/// scene.adaptive = Some(AdaptiveTimeStep { reject_ratio: Some(1.5), ..AdaptiveTimeStep::default() });
 /// let mut storage: Box<Storage<1000, 512>> = Storage::boxed();
 /// let mut solver = Solver::new(&scene, storage.lend())?;
 /// while solver.time() < 0.02 {
@@ -72,12 +72,12 @@ impl Integrator {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
-pub struct Adaptive {
-    /// C of `C H / v`, v being the largest speed (S0 eq. 2.41; default 0.15).
+pub struct AdaptiveTimeStep {
+    /// C of `C H / v`, v being the largest speed (Pirovano eq. 2.41; default 0.15).
     pub speed: Option<f32>,
     /// C of `C sqrt(H / a)`, a being the largest acceleration (default 0.15).
     pub acceleration: Option<f32>,
-    /// C of `C H / c`, c being the largest speed of sound (S3; default 0.15). Has no say where pressure is corrected.
+    /// C of `C H / c`, c being the largest speed of sound (Roy; default 0.15). Has no say where pressure is corrected.
     pub sound: Option<f32>,
     /// C of `C H^2 / nu`, nu being the largest kinematic viscosity (default 0.03, about 0.125 on half of the support).
     pub viscosity: Option<f32>,
@@ -86,23 +86,25 @@ pub struct Adaptive {
     /// Longest step, s (default 0.01).
     pub largest: f32,
     /// Times that a step may be as long as the last one, 1 or more (default 1.1).
-    pub growth: f32,
+    #[cfg_attr(feature = "serde", serde(alias = "growth"))]
+    pub max_growth: f32,
     /// A step that lasted more than so many times what the state at its end asks for is undone, and made again as short as that
-    /// (S0's option); 1 or more. Default: `None`, the next step is shorter.
-    pub redo_above: Option<f32>,
+    /// (Pirovano's option); 1 or more. Default: `None`, the next step is shorter.
+    #[cfg_attr(feature = "serde", serde(alias = "redo_above"))]
+    pub reject_ratio: Option<f32>,
 }
 
-impl Default for Adaptive {
+impl Default for AdaptiveTimeStep {
     fn default() -> Self {
-        Adaptive {
+        AdaptiveTimeStep {
             speed: Some(0.15),
             acceleration: Some(0.15),
             sound: Some(0.15),
             viscosity: Some(0.03),
             smallest: 1e-7,
             largest: 0.01,
-            growth: 1.1,
-            redo_above: None,
+            max_growth: 1.1,
+            reject_ratio: None,
         }
     }
 }

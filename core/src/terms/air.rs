@@ -1,4 +1,4 @@
-//! A coat of air around the liquid (S0 section 3.4.2): where the gradient of the colour of all that is there is long, a surface is
+//! A coat of air around the liquid (Pirovano, section 3.4.2): where the gradient of the colour of all that is there is long, a surface is
 //! bare, and gets a particle of air beside it; one that has lost the liquid is thin, and goes. The thesis leaves open where air is
 //! made and when: place, clearance and thresholds are ours.
 use super::geometry::*;
@@ -8,16 +8,16 @@ use super::tension::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters};
 
-/// What a neighbour, whatever it is of, adds to `grad C = sum V_b grad W` (S0 eq. 3.9), 1/m: it points away from where nothing is.
+/// What a neighbour, whatever it is of, adds to `grad C = sum V_b grad W` (Pirovano eq. 3.9), 1/m: it points away from where nothing is.
 #[inline(always)]
-pub fn whole_gradient<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>) -> vec3<R> {
+pub fn total_gradient<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>) -> vec3<R> {
     let x_ab = separation(m, p, a.position, b.position);
     return x_ab * -(b.volume * colour_slope(m, p, x_ab, pair_scale(m, a.support, b.support)));
 }
 
 /// 1 for a particle of liquid with nothing on one of its sides, 0 for all others.
 #[inline(always)]
-pub fn is_bare<R: Real>(p: &Parameters, normal: vec3<R>, wall: R, fluid: R) -> R {
+pub fn is_exposed<R: Real>(p: &Parameters, normal: vec3<R>, wall: R, fluid: R) -> R {
     let nothing: R = real(0.0);
     let long = select(nothing, real(1.0), less(real(p.air_threshold), root(length2(normal))));
     // the numbers of fluids are whole

@@ -1,4 +1,4 @@
-//! Pressure correction (Bao et al. 2009; S0 section 3.2.2 per errata): instead of an equation of state, pressure is changed
+//! Pressure correction (Bao et al. 2009; Pirovano, section 3.2.2, corrected): instead of an equation of state, pressure is changed
 //! until the density that the next step would have is the one aimed at.
 use super::integrate::*;
 use super::state::*;
@@ -7,7 +7,7 @@ use crate::layout::{Model, Parameters, StepUniform};
 
 /// Pressure follows from density: see [`state`](super::state).
 pub const EQUATION_OF_STATE: u32 = 0;
-/// S0 section 3.2.2.
+/// Pirovano, section 3.2.2.
 pub const PRESSURE_CORRECTION: u32 = 1;
 /// Towards the density that the speed of sound allows.
 pub const RELAXED: u32 = 0;
@@ -32,7 +32,7 @@ pub fn predicted_velocity<R: Real>(u: &StepUniform, velocity: vec3<R>, accelerat
 /// How far the next density would be off, over the rest density. `rate` is that of the deviation at the predicted velocities.
 ///
 /// Relaxed: from `P / (rho0 c0^2)`, the compression that the pressure stands for, so that the fluid has its real speed of
-/// sound; what density is off by already is mended in a few steps, since in one it would shake the particles. Literal (S0
+/// sound; what density is off by already is mended in a few steps, since in one it would shake the particles. Literal (Pirovano
 /// eq. 3.3): from no change at all.
 #[inline(always)]
 pub fn density_miss<R: Real>(
@@ -55,8 +55,8 @@ pub fn density_miss<R: Real>(
 /// around it in a step, `dt^2 V^2 / rho0 sum |grad W|^2`, with what keeps it finite, and the half by which Jacobi's iteration is
 /// kept from overshooting where all particles change at once.
 #[inline(always)]
-pub fn inverse_correction<R: Real>(u: &StepUniform, thinning: R, offset: R) -> R {
-    return (thinning * (u.time_step * u.time_step) + offset) * 2.0;
+pub fn inverse_correction<R: Real>(u: &StepUniform, pressure_response: R, response_offset: R) -> R {
+    return (pressure_response * (u.time_step * u.time_step) + response_offset) * 2.0;
 }
 
 /// Pressure after an iteration, Pa: `P + k miss`, where k is `rho0 c0^2`, or what the lattice can bear.

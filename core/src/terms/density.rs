@@ -6,15 +6,15 @@ use super::wall::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters, StepUniform, Tables};
 
-/// S0 eq. 2.10.
+/// Pirovano eq. 2.10.
 pub const SUMMATION: u32 = 0;
-/// S0 eq. 2.12.
+/// Pirovano eq. 2.12.
 pub const CONTINUITY: u32 = 1;
-/// S4; S0 eq. 3.1.
+/// Gourlay; Pirovano eq. 3.1.
 pub const NUMBER_DENSITY: u32 = 2;
-/// Solenthaler and Pajarola 2008 (S0 eq. 3.5).
+/// Solenthaler and Pajarola 2008 (Pirovano eq. 3.5).
 pub const SUMMATION_ADAPTED: u32 = 3;
-/// S0 section 4.1.2 per errata.
+/// Pirovano, section 4.1.2, corrected.
 pub const CONTINUITY_ADAPTED: u32 = 4;
 
 /// Is density stepped?
@@ -29,7 +29,7 @@ pub fn counts_masses(m: &Model) -> bool {
     return weighs(m) && (m.density == SUMMATION || m.density == CONTINUITY);
 }
 
-/// What a neighbour adds to `rho_a = sum m_b W_ab` (S0 eq. 2.10).
+/// What a neighbour adds to `rho_a = sum m_b W_ab` (Pirovano eq. 2.10).
 #[inline(always)]
 pub fn density_neighbour<R: Real>(m: &Model, t: &Tables, mass_b: R, q2: R, scale: R) -> R {
     let w = value_scaled(m, density_kernel(m, t, q2), scale);
@@ -39,7 +39,7 @@ pub fn density_neighbour<R: Real>(m: &Model, t: &Tables, mass_b: R, q2: R, scale
     return w;
 }
 
-/// What a neighbour adds to `n_a = sum W_ab` (S4): a particle counts, whatever its mass.
+/// What a neighbour adds to `n_a = sum W_ab` (Gourlay): a particle counts, whatever its mass.
 #[inline(always)]
 pub fn number_density_neighbour<R: Real>(m: &Model, t: &Tables, q2: R, scale: R) -> R {
     return value_scaled(m, density_kernel(m, t, q2), scale);
@@ -54,7 +54,7 @@ pub fn summed_neighbour<R: Real>(m: &Model, t: &Tables, mass_b: R, q2: R, scale:
     return number_density_neighbour(m, t, q2, scale);
 }
 
-/// What a neighbour adds to `d (rho_a / rho0) / dt = sum m_b / rho0 (v_a - v_b) . grad W_ab` (S0 eq. 2.12), 1/s. Kernel
+/// What a neighbour adds to `d (rho_a / rho0) / dt = sum m_b / rho0 (v_a - v_b) . grad W_ab` (Pirovano eq. 2.12), 1/s. Kernel
 /// constant and mass close the sum.
 #[inline(always)]
 pub fn continuity_neighbour<R: Real>(
@@ -78,16 +78,16 @@ pub fn continuity_neighbour<R: Real>(
 
 /// From masses of the scene's first fluid to a share of a particle's own rest density: a sum over neighbours' masses has
 /// that one below the line; adapted to contrasts of density, the sum only counted, and each counts with the particle's own
-/// mass, `m_a sum W` (S0 eq. 3.5).
+/// mass, `m_a sum W` (Pirovano eq. 3.5).
 #[inline(always)]
 pub fn of_own_density<R: Real>(m: &Model, sum: R, mass: R, rest: R) -> R {
     if counts_masses(m) {
-        if m.fluids == 0 {
+        if m.is_multi_fluid == 0 {
             return sum;
         }
         return div(sum, rest);
     }
-    if m.masses == 0 {
+    if m.has_variable_mass == 0 {
         return sum;
     }
     return sum * mass;

@@ -1,10 +1,10 @@
-//! Springs between the particles of an elastic fluid (S0 section 2.2.6 after Clavet et al. 2005).
+//! Springs between the particles of an elastic fluid (Pirovano, section 2.2.6 after Clavet et al. 2005).
 use super::geometry::*;
 use super::pair::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Parameters, StepUniform};
 
-/// What a spring adds to the acceleration of the particle at one of its ends, `-1/2 (k / m_a) (r - L0) x_ab / r` (S0 eq. 2.26 per
+/// What a spring adds to the acceleration of the particle at one of its ends, `-1/2 (k / m_a) (r - L0) x_ab / r` (Pirovano eq. 2.26 per
 /// errata), m/s2; `pull` is `k / (2 m_a)`, 1/s2. A broken spring has a negative length at rest, and pulls nobody.
 #[inline(always)]
 pub fn spring_pull<R: Real>(x_ab: vec3<R>, rest_length: R, pull: R) -> vec3<R> {

@@ -1,4 +1,4 @@
-//! S4's viscosity: neighbours exchange velocity, all of it ("shear") or the part with which they approach each other
+//! Gourlay's viscosity: neighbours exchange velocity, all of it ("shear") or the part with which they approach each other
 //! ("shock"). The source changes velocities in place, so that its result depends on the order of pairs; here each particle
 //! sums its changes from the old velocities. Where the shares of all neighbours come to more than 1, they are scaled
 //! down to 1: a particle then takes the mean of its neighbours' velocities, and none is ever reversed. Where

@@ -1,14 +1,14 @@
-//! What acts from outside (S0 section 2.2.5): gravity, the buoyancy of what surrounds the fluid, wind, a field of the host's.
+//! What acts from outside (Pirovano, section 2.2.5): gravity, the buoyancy of what surrounds the fluid, wind, a field of the host's.
 use super::geometry::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters, StepUniform};
 
-/// `g (1 - rho_ambient / rho_a)` (S4's body force), m/s2; all of g where nothing surrounds the fluid. `density` is over the
+/// `g (1 - rho_ambient / rho_a)` (Gourlay's body force), m/s2; all of g where nothing surrounds the fluid. `density` is over the
 /// first fluid's at rest.
 #[inline(always)]
 pub fn weight<R: Real>(m: &Model, p: &Parameters, u: &StepUniform, density: R) -> vec3<R> {
     let g = vec3(real(u.gravity[0]), real(u.gravity[1]), real(u.gravity[2]));
-    if m.buoyancy == 0 {
+    if m.has_buoyancy == 0 {
         return g;
     }
     let one: R = real(1.0);
@@ -35,7 +35,7 @@ pub fn field_share<R: Real>(m: &Model, place: vec3<R>, node: vec3<R>) -> R {
     let one: R = real(1.0);
     let x = larger(one - abs(place.x - node.x), real(0.0));
     let y = larger(one - abs(place.y - node.y), real(0.0));
-    if m.layers == 0 {
+    if m.is_3d == 0 {
         return x * y;
     }
     return x * y * larger(one - abs(place.z - node.z), real(0.0));
@@ -47,18 +47,18 @@ pub fn external_close<R: Real>(
     m: &Model,
     p: &Parameters,
     u: &StepUniform,
-    driven: vec3<R>,
+    internal: vec3<R>,
     velocity: vec3<R>,
     density: R,
 ) -> vec3<R> {
-    if m.gravity == 0 {
-        if m.wind == 0 {
-            return flush3(driven);
+    if m.has_gravity == 0 {
+        if m.has_wind == 0 {
+            return flush3(internal);
         }
-        return flush3(driven + wind_drag(u, velocity));
+        return flush3(internal + wind_drag(u, velocity));
     }
-    let weighed = driven + weight(m, p, u, density);
-    if m.wind == 0 {
+    let weighed = internal + weight(m, p, u, density);
+    if m.has_wind == 0 {
         return flush3(weighed);
     }
     return flush3(weighed + wind_drag(u, velocity));

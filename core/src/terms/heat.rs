@@ -1,4 +1,4 @@
-//! Thermal energy (S3: `du_a/dt = 1/2 sum m_b (P_a / rho_a^2 + P_b / rho_b^2 + Pi_ab) v_ab . grad W`; S4: what viscosity
+//! Thermal energy (Roy: `du_a/dt = 1/2 sum m_b (P_a / rho_a^2 + P_b / rho_b^2 + Pi_ab) v_ab . grad W`; Gourlay: what viscosity
 //! dissipates): half of the work that pressures and viscosity of a pair take from its motion, in whatever form. Taken with the
 //! velocities at the step, it is exactly what the two half kicks around it cost, so the sum of energies is kept to the order
 //! of the integrator. (But for exchanges of velocity that were cut down to a limit,
@@ -29,7 +29,7 @@ pub fn heat_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R
     if m.viscosity == NO_VISCOSITY {
         return -(work * heat_share(b.wall));
     }
-    if m.viscosity == EXCHANGE {
+    if m.viscosity == VELOCITY_EXCHANGE {
         return -(work * heat_share(b.wall));
     }
     let loss = dot3(drag_of_pair(m, p, t, a, b, x_ab, q, scale), v_ab) * p.heat_gain;

@@ -86,7 +86,7 @@ pub fn push_and_drag<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>
     if m.viscosity == NO_VISCOSITY {
         return pushed;
     }
-    if m.viscosity == EXCHANGE {
+    if m.viscosity == VELOCITY_EXCHANGE {
         return pushed;
     }
     return pushed + drag_of_pair(m, p, t, a, b, x_ab, q, scale);
@@ -105,7 +105,7 @@ pub fn force_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<
     return force;
 }
 
-/// Acceleration of `a` (S0 eq. 2.8): the summed force density over its density, m/s2.
+/// Acceleration of `a` (Pirovano eq. 2.8): the summed force density over its density, m/s2.
 #[inline(always)]
 pub fn acceleration_close<R: Real>(m: &Model, p: &Parameters, force: vec3<R>, a: Local<R>) -> vec3<R> {
     return force * inverse_density(m, p, a);

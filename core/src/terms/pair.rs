@@ -27,13 +27,13 @@ pub struct Local<R> {
     /// Larger than 0 for a particle of a wall, or of air that is not there; 0 for a fluid's.
     pub wall: R,
     /// Rest density of its fluid over that of the scene's first.
-    pub rest: R,
+    pub rest_ratio: R,
     /// Number of its fluid.
     pub fluid: R,
     /// Speed of sound of its fluid at rest, m/s.
-    pub sound: R,
+    pub speed_of_sound: R,
     /// Number of its equation of state.
-    pub equation: R,
+    pub state_equation: R,
     /// Surface tension of its fluid.
     pub tension: R,
 }
@@ -46,9 +46,9 @@ pub struct Stiffness<R> {
     /// Near pressure at rest (thesis), or over the near sum (article), Pa.
     pub near: R,
     /// How much a pressure thins the density around it in a step, over the step's square, 1/(Pa s2).
-    pub thinning: R,
+    pub pressure_response: R,
     /// What an iteration of pressure adds to that, 1/Pa.
-    pub offset: R,
+    pub response_offset: R,
     /// `1 / (rho0 c0^2)`, 1/Pa.
     pub compressibility: R,
 }
@@ -56,35 +56,35 @@ pub struct Stiffness<R> {
 /// Do masses differ, by particle or by fluid?
 #[inline(always)]
 pub fn weighs(m: &Model) -> bool {
-    return m.masses + m.fluids > 0;
+    return m.has_variable_mass + m.is_multi_fluid > 0;
 }
 
 /// Density over the rest density of the scene's first fluid.
 #[inline(always)]
-pub fn density_ratio<R: Real>(m: &Model, deviation: R, rest: R) -> R {
-    if m.fluids == 0 {
+pub fn density_ratio<R: Real>(m: &Model, deviation: R, rest_ratio: R) -> R {
+    if m.is_multi_fluid == 0 {
         return deviation + 1.0;
     }
-    return (deviation + 1.0) * rest;
+    return (deviation + 1.0) * rest_ratio;
 }
 
 /// Density as mass over volume, kg/m3.
 #[inline(always)]
 pub fn local_density<R: Real>(m: &Model, p: &Parameters, a: Local<R>) -> R {
-    if m.numbers == 1 {
-        return div(a.mass * a.rest * p.particle_mass, a.volume);
+    if m.has_number_density_volume == 1 {
+        return div(a.mass * a.rest_ratio * p.particle_mass, a.volume);
     }
-    return density_ratio(m, a.deviation, a.rest) * p.rest_density;
+    return density_ratio(m, a.deviation, a.rest_ratio) * p.rest_density;
 }
 
 /// One over it: what makes of a force density an acceleration, `F_a / m_a = f_a V_a / m_a`, m3/kg.
 #[inline(always)]
 pub fn inverse_density<R: Real>(m: &Model, p: &Parameters, a: Local<R>) -> R {
-    if m.numbers == 1 {
-        return div(a.volume, a.mass * a.rest * p.particle_mass);
+    if m.has_number_density_volume == 1 {
+        return div(a.volume, a.mass * a.rest_ratio * p.particle_mass);
     }
     let one: R = real(1.0);
-    return div(one, density_ratio(m, a.deviation, a.rest) * p.rest_density);
+    return div(one, density_ratio(m, a.deviation, a.rest_ratio) * p.rest_density);
 }
 
 /// A difference of coordinates, the shorter way round where the axis is periodic.
@@ -99,7 +99,7 @@ pub fn nearest<R: Real>(x: R, period: f32, half_period: f32) -> R {
 #[inline(always)]
 pub fn separation<R: Real>(m: &Model, p: &Parameters, x_a: vec3<R>, x_b: vec3<R>) -> vec3<R> {
     let x_ab = x_a - x_b;
-    if m.periodic == 0 {
+    if m.is_periodic == 0 {
         return x_ab;
     }
     let x = nearest(x_ab.x, p.period[0], p.half_period[0]);
@@ -111,7 +111,7 @@ pub fn separation<R: Real>(m: &Model, p: &Parameters, x_a: vec3<R>, x_b: vec3<R>
 /// Support of the scene over that of a pair: one symmetric `H_ab = (H_a + H_b) / 2`, so that action is reaction.
 #[inline(always)]
 pub fn pair_scale<R: Real>(m: &Model, support_a: R, support_b: R) -> R {
-    if m.variable_support == 0 {
+    if m.has_variable_support == 0 {
         return real(1.0);
     }
     return div(real(2.0), support_a + support_b);
@@ -121,7 +121,7 @@ pub fn pair_scale<R: Real>(m: &Model, support_a: R, support_b: R) -> R {
 #[inline(always)]
 pub fn squared_ratio<R: Real>(m: &Model, p: &Parameters, x_ab: vec3<R>, scale: R) -> R {
     let q2 = length2(x_ab) * p.inverse_support_squared;
-    if m.variable_support == 0 {
+    if m.has_variable_support == 0 {
         return q2;
     }
     return q2 * scale * scale;
@@ -130,10 +130,10 @@ pub fn squared_ratio<R: Real>(m: &Model, p: &Parameters, x_ab: vec3<R>, scale: R
 /// A kernel's value on a pair's own support, `1 / H^d`.
 #[inline(always)]
 pub fn value_scaled<R: Real>(m: &Model, x: R, scale: R) -> R {
-    if m.variable_support == 0 {
+    if m.has_variable_support == 0 {
         return x;
     }
-    if m.layers == 0 {
+    if m.is_3d == 0 {
         return x * scale * scale;
     }
     return x * scale * scale * scale;
@@ -142,7 +142,7 @@ pub fn value_scaled<R: Real>(m: &Model, x: R, scale: R) -> R {
 /// A kernel's slope on a pair's own support, `1 / H^(d + 1)`.
 #[inline(always)]
 pub fn slope_scaled<R: Real>(m: &Model, x: R, scale: R) -> R {
-    if m.variable_support == 0 {
+    if m.has_variable_support == 0 {
         return x;
     }
     return value_scaled(m, x, scale) * scale;
@@ -151,7 +151,7 @@ pub fn slope_scaled<R: Real>(m: &Model, x: R, scale: R) -> R {
 /// A kernel's Laplacian on a pair's own support, `1 / H^(d + 2)`.
 #[inline(always)]
 pub fn laplacian_scaled<R: Real>(m: &Model, x: R, scale: R) -> R {
-    if m.variable_support == 0 {
+    if m.has_variable_support == 0 {
         return x;
     }
     return value_scaled(m, x, scale) * scale * scale;

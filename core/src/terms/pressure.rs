@@ -1,45 +1,45 @@
-//! Pressure, as the factor of `x_ab / r` in the force density on `a`: the forms of the gradient (S0 eqs. 2.4, 2.6, 2.7; S4
+//! Pressure, as the factor of `x_ab / r` in the force density on `a`: the forms of the gradient (Pirovano eqs. 2.4, 2.6, 2.7; Gourlay
 //! table 2). With `-dW/dr = constant * slope` it points away from `b` where the pressures are positive.
 use super::pair::*;
 use crate::arithmetic::real::*;
 use crate::layout::Model;
 
-/// Mueller et al. 2003 (S0 eq. 2.19).
+/// Mueller et al. 2003 (Pirovano eq. 2.19).
 pub const MUELLER: u32 = 0;
-/// Monaghan 1992 (S0 eq. 2.18), symmetric.
+/// Monaghan 1992 (Pirovano eq. 2.18), symmetric.
 pub const MONAGHAN: u32 = 1;
-/// Canonical (S0 eqs. 2.4, 2.17).
+/// Canonical (Pirovano eqs. 2.4, 2.17).
 pub const CANONICAL: u32 = 2;
-/// Difference (S0 eq. 2.6).
+/// Difference (Pirovano eq. 2.6).
 pub const DIFFERENCE: u32 = 3;
-/// Symmetric on the number density (S4).
+/// Symmetric on the number density (Gourlay).
 pub const NUMBER_DENSITY_FORCE: u32 = 4;
-/// Solenthaler and Pajarola 2008 (S0 eq. 3.6 per errata): Mueller's, where volumes are `1 / delta`.
+/// Solenthaler and Pajarola 2008 (Pirovano eq. 3.6, corrected): Mueller's, where volumes are `1 / delta`.
 pub const MUELLER_ADAPTED: u32 = 5;
-/// S0 section 4.1.2 per errata: symmetric, where volumes are `1 / delta`.
+/// Pirovano, section 4.1.2, corrected: symmetric, where volumes are `1 / delta`.
 pub const MONAGHAN_ADAPTED: u32 = 6;
 /// Hu and Adams 2007, where volumes are `1 / delta`.
 pub const DENSITY_WEIGHTED: u32 = 7;
 
-/// Mueller et al. 2003, eq. 10: `f_a = -sum V_b (P_a + P_b) / 2 grad W` (S0 eq. 2.19).
+/// Mueller et al. 2003, eq. 10: `f_a = -sum V_b (P_a + P_b) / 2 grad W` (Pirovano eq. 2.19).
 ///
 /// On an even lattice `sum V_b grad W` vanishes, so of `(P_a + P_b) / 2` only half of `P_b` remains: this form gives half
 /// of the gradient, and a fluid at rest answers with twice the hydrostatic pressure.
 ///
-/// Adapted to contrasts of density (S0 eq. 3.6 per errata), `F_a = -sum (P_a + P_b) / 2 / (delta_a delta_b) grad W` in newtons: over
+/// Adapted to contrasts of density (Pirovano eq. 3.6, corrected), `F_a = -sum (P_a + P_b) / 2 / (delta_a delta_b) grad W` in newtons: over
 /// the particle's own volume `1 / delta_a` that is the same formula, with other volumes.
 #[inline(always)]
 pub fn pressure_mueller<R: Real>(pressure_a: R, pressure_b: R, volume_b: R, slope: R) -> R {
     return (pressure_a + pressure_b) * 0.5 * volume_b * slope;
 }
 
-/// `f_a = -sum V_b P_b grad W` (S0 eq. 2.17).
+/// `f_a = -sum V_b P_b grad W` (Pirovano eq. 2.17).
 #[inline(always)]
 pub fn pressure_canonical<R: Real>(pressure_b: R, volume_b: R, slope: R) -> R {
     return pressure_b * volume_b * slope;
 }
 
-/// `f_a = -1 / rho_a sum m_b (P_b - P_a) grad W` (S0 eq. 2.6), with `m_b / rho_a = V_a m_b / m_a`.
+/// `f_a = -1 / rho_a sum m_b (P_b - P_a) grad W` (Pirovano eq. 2.6), with `m_b / rho_a = V_a m_b / m_a`.
 #[inline(always)]
 pub fn pressure_difference<R: Real>(m: &Model, a: Local<R>, pressure_b: R, masses: R, slope: R) -> R {
     let push = (pressure_b - a.pressure) * a.volume * slope;
@@ -49,8 +49,8 @@ pub fn pressure_difference<R: Real>(m: &Model, a: Local<R>, pressure_b: R, masse
     return push;
 }
 
-/// `f_a = -n_a sum (P_a / n_a^2 + P_b / n_b^2) grad W` (S4 table 2), n = 1 / V. In newtons,
-/// `F_a = -sum (P_a / delta_a^2 + P_b / delta_b^2) grad W` (S0 section 4.1.2 per errata), it is Monaghan's form adapted to contrasts of density.
+/// `f_a = -n_a sum (P_a / n_a^2 + P_b / n_b^2) grad W` (Gourlay table 2), n = 1 / V. In newtons,
+/// `F_a = -sum (P_a / delta_a^2 + P_b / delta_b^2) grad W` (Pirovano, section 4.1.2, corrected), it is Monaghan's form adapted to contrasts of density.
 #[inline(always)]
 pub fn pressure_number_density<R: Real>(a: Local<R>, pressure_b: R, volume_b: R, slope: R) -> R {
     let one: R = real(1.0);
@@ -59,7 +59,7 @@ pub fn pressure_number_density<R: Real>(a: Local<R>, pressure_b: R, volume_b: R,
     return (a.pressure * a.volume + pressure_b * volume_b * ratio) * slope;
 }
 
-/// Monaghan 1992, eq. 3.1: `f_a = -rho_a sum m_b (P_a / rho_a^2 + P_b / rho_b^2) grad W` (S0 eq. 2.18), with `V = m / rho`:
+/// Monaghan 1992, eq. 3.1: `f_a = -rho_a sum m_b (P_a / rho_a^2 + P_b / rho_b^2) grad W` (Pirovano eq. 2.18), with `V = m / rho`:
 /// `f_a = -sum (P_a V_a^2 m_b / m_a + P_b V_b^2 m_a / m_b) / V_a grad W`.
 #[inline(always)]
 pub fn pressure_monaghan<R: Real>(m: &Model, a: Local<R>, pressure_b: R, volume_b: R, masses: R, slope: R) -> R {

@@ -1,4 +1,4 @@
-//! Variable smoothing length (S0 eq. 4.2 per errata): a support that keeps the number of neighbours as density changes.
+//! Variable smoothing length (Pirovano eq. 4.2, corrected): a support that keeps the number of neighbours as density changes.
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters};
 
@@ -23,7 +23,7 @@ pub fn support_close<R: Real>(m: &Model, p: &Parameters, deviation: R) -> R {
     let one: R = real(1.0);
     // an empty neighbourhood would ask for more than any bound allows
     let ratio = div(one, larger(deviation + 1.0, real(0.1)));
-    if m.layers == 0 {
+    if m.is_3d == 0 {
         return smaller(larger(root(ratio), real(p.smallest_support)), real(p.largest_support));
     }
     return smaller(larger(cube_root(smaller(ratio, real(10.0))), real(p.smallest_support)), real(p.largest_support));

@@ -1,4 +1,4 @@
-//! Kernels from tables (S0 section 4.2.3), between whose entries they are straight lines: addressed by q, or by q^2, which
+//! Kernels from tables (Pirovano, section 4.2.3), between whose entries they are straight lines: addressed by q, or by q^2, which
 //! spares a root where nothing else needs the distance.
 use super::kernel::*;
 use crate::arithmetic::real::*;

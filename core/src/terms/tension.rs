@@ -1,6 +1,6 @@
 //! What a surface does to itself: it pulls itself together. By its curvature, which comes from the colour of a fluid, 1 where its
-//! particles are and 0 elsewhere (Morris 1999, 2000; Mueller et al. 2003; S0 eqs. 3.8 to 3.11); or by what draws particles of one
-//! fluid to each other (Becker and Teschner 2007; S1 section 6.4). A particle sees the colour of its own fluid only, so of an
+//! particles are and 0 elsewhere (Morris 1999, 2000; Mueller et al. 2003; Pirovano eqs. 3.8 to 3.11); or by what draws particles of one
+//! fluid to each other (Becker and Teschner 2007; Hinsch 2024, section 6.4). A particle sees the colour of its own fluid only, so of an
 //! interface of two fluids each has one half of the profile.
 use super::geometry::*;
 use super::kernel::*;
@@ -11,13 +11,13 @@ use crate::layout::{Model, Parameters};
 
 /// None.
 pub const NO_TENSION: u32 = 0;
-/// S0 eqs. 3.8 to 3.11.
+/// Pirovano eqs. 3.8 to 3.11.
 pub const CURVATURE: u32 = 1;
 /// Morris 2000.
 pub const NORMAL_CURVATURE: u32 = 2;
-/// S0 eq. 3.12 per errata.
+/// Pirovano eq. 3.12, corrected.
 pub const ATTRACTION: u32 = 3;
-/// S1 section 6.4.
+/// Hinsch 2024, section 6.4.
 pub const GRADIENT_SUM: u32 = 4;
 
 /// `x` between two particles of one fluid, 0 between others and walls'.
@@ -37,7 +37,7 @@ pub fn colour_slope<R: Real>(m: &Model, p: &Parameters, x_ab: vec3<R>, scale: R)
     return if_inside(q, over_distance(slope * scale * p.inverse_support, q));
 }
 
-/// What a neighbour adds to the inward normal `n_a = grad C = sum V_b grad W` (S0 eq. 3.9), 1/m.
+/// What a neighbour adds to the inward normal `n_a = grad C = sum V_b grad W` (Pirovano eq. 3.9), 1/m.
 #[inline(always)]
 pub fn colour_gradient<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>) -> vec3<R> {
     let x_ab = separation(m, p, a.position, b.position);
@@ -72,7 +72,7 @@ pub fn unit_normal<R: Real>(p: &Parameters, normal: vec3<R>) -> vec3<R> {
     return normal * if_at_surface(p, normal, nothing, div(one, larger(length, real(p.surface_threshold))));
 }
 
-/// `kappa = -laplacian C / |n|` (S0 eq. 3.10), 1/m: positive where the fluid is convex, 0 off the surface.
+/// `kappa = -laplacian C / |n|` (Pirovano eq. 3.10), 1/m: positive where the fluid is convex, 0 off the surface.
 #[inline(always)]
 pub fn curvature_of_colour<R: Real>(p: &Parameters, normal: vec3<R>, laplacian: R) -> R {
     let nothing: R = real(0.0);
@@ -113,14 +113,14 @@ pub fn curvature_of_normals<R: Real>(p: &Parameters, normal: vec3<R>, sums: vec3
     return if_at_surface(p, normal, nothing, turn * p.surface_directions);
 }
 
-/// `a = sigma kappa n / rho` (S0 eq. 3.11), m/s2.
+/// `a = sigma kappa n / rho` (Pirovano eq. 3.11), m/s2.
 #[inline(always)]
 pub fn tension_close<R: Real>(m: &Model, p: &Parameters, a: Local<R>, normal: vec3<R>, curvature: R) -> vec3<R> {
     let pull = a.tension * curvature * inverse_density(m, p, a);
     return normal * if_at_surface(p, normal, real(0.0), pull);
 }
 
-/// `a_a = -(sigma / m_a) sum m_b x_ab W` (Becker and Teschner 2007; S0 eq. 3.12 per errata), as a force density, N/m3. Of particles
+/// `a_a = -(sigma / m_a) sum m_b x_ab W` (Becker and Teschner 2007; Pirovano eq. 3.12, corrected), as a force density, N/m3. Of particles
 /// whose masses differ, as with a hydrostatic start, it does not keep momentum.
 #[inline(always)]
 pub fn attraction<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>) -> vec3<R> {
@@ -132,7 +132,7 @@ pub fn attraction<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>) 
     return x_ab * -(if_same_fluid(a, b, pull));
 }
 
-/// `a_a = sigma V0 sum grad W` (S1 section 6.4, algorithm 2), as a force density, N/m3.
+/// `a_a = sigma V0 sum grad W` (Hinsch 2024, section 6.4, algorithm 2), as a force density, N/m3.
 #[inline(always)]
 pub fn gradient_sum<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>) -> vec3<R> {
     let x_ab = separation(m, p, a.position, b.position);

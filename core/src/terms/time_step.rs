@@ -1,4 +1,4 @@
-//! How long the next step may be (S0 section 2.3.5; S3 section 3.3, step 5): what moves, what is accelerated, and sound must not
+//! How long the next step may be (Pirovano, section 2.3.5; Roy, section 3.3, step 5): what moves, what is accelerated, and sound must not
 //! come too far in it, nor viscosity.
 use super::geometry::*;
 use super::state::*;
@@ -17,7 +17,7 @@ pub fn bounded_sound<R: Real>(m: &Model, deviation: R, sound: R, equation: R) ->
     return larger(smaller(sound_of_state(m, deviation, sound, equation), real(3.0e38)), real(0.0));
 }
 
-/// `C H / speed` (S0 eq. 2.41), s. Slower than a micrometre a second is still.
+/// `C H / speed` (Pirovano eq. 2.41), s. Slower than a micrometre a second is still.
 #[inline(always)]
 pub fn step_by_speed<R: Real>(reach: R, speed: R) -> R {
     return div(reach, larger(speed, real(0.000001)));
@@ -32,16 +32,16 @@ pub fn step_by_acceleration<R: Real>(reach: R, acceleration: R) -> R {
 /// The longest step that all criteria allow, s, by the largest squared speed, squared acceleration and speed of sound.
 #[inline(always)]
 pub fn step_wanted<R: Real>(p: &Parameters, speed2: R, acceleration2: R, sound: R) -> R {
-    let by_speed = step_by_speed(real(p.speed_reach), root(speed2));
+    let by_speed = step_by_speed(real(p.speed_limit_length), root(speed2));
     let by_acceleration = step_by_acceleration(real(p.acceleration_reach), root(acceleration2));
-    let by_sound = step_by_speed(real(p.sound_reach), sound);
+    let by_sound = step_by_speed(real(p.sound_limit_length), sound);
     return smaller(smaller(by_speed, by_acceleration), smaller(by_sound, real(p.viscous_time_step)));
 }
 
 /// The next step, s: what is wanted, but no more than so many times the last one, and within the scene's limits.
 #[inline(always)]
 pub fn step_limited<R: Real>(p: &Parameters, wanted: R, last: R) -> R {
-    let grown = smaller(wanted, last * p.time_step_growth);
+    let grown = smaller(wanted, last * p.max_time_step_growth);
     return larger(smaller(grown, real(p.largest_time_step)), real(p.smallest_time_step));
 }
 
@@ -49,10 +49,10 @@ pub fn step_limited<R: Real>(p: &Parameters, wanted: R, last: R) -> R {
 /// step is never undone.
 #[inline(always)]
 pub fn is_overlong<R: Real>(p: &Parameters, wanted: R, step: R) -> R {
-    if p.redo_above == 0.0 {
+    if p.reject_ratio == 0.0 {
         return real(0.0);
     }
-    let over = select(real(0.0), real(1.0), less(wanted * p.redo_above, step));
+    let over = select(real(0.0), real(1.0), less(wanted * p.reject_ratio, step));
     return select(real(0.0), over, less(real(p.smallest_time_step), step));
 }
 

@@ -9,43 +9,49 @@ use crate::layout::{Model, Parameters, Tables};
 
 /// None.
 pub const NO_VISCOSITY: u32 = 0;
-/// Mueller et al. 2003 (S0 eq. 2.24).
+/// Mueller et al. 2003 (Pirovano eq. 2.24).
 pub const MUELLER_VISCOSITY: u32 = LAPLACIAN_VISCOSITY;
-/// Morris et al. 1997 (S0 eq. 2.23 per errata).
+/// Morris et al. 1997 (Pirovano eq. 2.23, corrected).
 pub const MORRIS: u32 = 2;
-/// Monaghan 1992 (S0 eqs. 2.20 to 2.22 per errata).
+/// Monaghan 1992 (Pirovano eqs. 2.20 to 2.22, corrected).
 pub const ARTIFICIAL: u32 = 3;
-/// S1 eq. 4.5 per errata.
-pub const DOTTED: u32 = 4;
-/// S4: see [`exchange`](super::exchange).
-pub const EXCHANGE: u32 = 5;
-/// Solenthaler and Pajarola 2008 (S0 eq. 3.7 per errata).
+/// Hinsch 2024 eq. 4.5, corrected.
+pub const MONAGHAN_GINGOLD: u32 = 4;
+/// Gourlay: see [`exchange`](super::exchange).
+pub const VELOCITY_EXCHANGE: u32 = 5;
+/// Solenthaler and Pajarola 2008 (Pirovano eq. 3.7, corrected).
 pub const MUELLER_ADAPTED_VISCOSITY: u32 = ADAPTED_LAPLACIAN_VISCOSITY;
 
-/// Mueller et al. 2003, eq. 14: `f_a = mu sum V_b (v_b - v_a) laplacian W` (S0 eq. 2.24). The sign is in `v_ab`'s.
+/// Mueller et al. 2003, eq. 14: `f_a = mu sum V_b (v_b - v_a) laplacian W` (Pirovano eq. 2.24). The sign is in `v_ab`'s.
 ///
-/// Adapted to contrasts of density, `F_a = sum (mu_a + mu_b) / 2 (v_b - v_a) / (delta_a delta_b) laplacian W` in newtons (S0 eq. 3.7
-/// per errata): over the particle's own volume `1 / delta_a` the same formula.
+/// Adapted to contrasts of density, `F_a = sum (mu_a + mu_b) / 2 (v_b - v_a) / (delta_a delta_b) laplacian W` in newtons (Pirovano eq. 3.7
+///, corrected): over the particle's own volume `1 / delta_a` the same formula.
 #[inline(always)]
 pub fn viscosity_mueller<R: Real>(viscosity: R, volume_b: R, laplacian: R) -> R {
     return -(viscosity * volume_b * laplacian);
 }
 
-/// Morris et al. 1997, eq. 22: `f_a = sum V_b (mu_a + mu_b) (x_ab . grad W) / (r^2 + 0.01 h^2) v_ab` (S0 eq. 2.23), here
+/// Morris et al. 1997, eq. 22: `f_a = sum V_b (mu_a + mu_b) (x_ab . grad W) / (r^2 + 0.01 h^2) v_ab` (Pirovano eq. 2.23), here
 /// with the mean viscosity; `inverse_square` is `1 / (r^2 + 0.01 h^2)` and `x_ab . grad W = -r slope`.
 #[inline(always)]
 pub fn viscosity_morris<R: Real>(viscosity: R, volume_b: R, r: R, slope: R, inverse_square: R) -> R {
     return -(viscosity * 2.0 * volume_b * slope * r * inverse_square);
 }
 
-/// The factor of `grad W` in `f_a = 2 (d + 2) mu sum V_b (v_ab . x_ab) / (r^2 + 0.01 h^2) grad W` (S1 eq. 4.5 per errata):
+/// The factor of `grad W` in `f_a = 2 (d + 2) mu sum V_b (v_ab . x_ab) / (r^2 + 0.01 h^2) grad W` (Hinsch 2024 eq. 4.5, corrected):
 /// it acts along the line of a pair and so keeps angular momentum.
 #[inline(always)]
-pub fn viscosity_dotted<R: Real>(p: &Parameters, viscosity: R, volume_b: R, approach: R, inverse_square: R) -> R {
+pub fn viscosity_monaghan_gingold<R: Real>(
+    p: &Parameters,
+    viscosity: R,
+    volume_b: R,
+    approach: R,
+    inverse_square: R,
+) -> R {
     return viscosity * volume_b * approach * inverse_square * p.dotted_factor;
 }
 
-/// `rho_a m_b Pi_ab`, the factor of `-grad W` (S0 eqs. 2.20 to 2.22): `Pi = (-alpha c mu + beta mu^2) / rho`, means of the pair,
+/// `rho_a m_b Pi_ab`, the factor of `-grad W` (Pirovano eqs. 2.20 to 2.22): `Pi = (-alpha c mu + beta mu^2) / rho`, means of the pair,
 /// `mu = H v_ab . x_ab / (r^2 + 0.01 h^2)`, only where two particles approach each other. `weight` is `rho_a m_b / rho`.
 #[inline(always)]
 pub fn viscosity_artificial<R: Real>(p: &Parameters, weight: R, sound: R, approach: R, inverse_square: R) -> R {
@@ -57,8 +63,8 @@ pub fn viscosity_artificial<R: Real>(p: &Parameters, weight: R, sound: R, approa
 /// `rho_a m_b / ((rho_a + rho_b) / 2)`, kg/m3 times m3.
 #[inline(always)]
 pub fn mean_density_weight<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>) -> R {
-    let both = (density_ratio(m, a.deviation, a.rest) + density_seen(m, a, b)) * p.rest_density;
-    let mass = mass_seen(m, a.rest, b.mass, b.rest, b.wall) * p.particle_mass;
+    let both = (density_ratio(m, a.deviation, a.rest_ratio) + density_seen(m, a, b)) * p.rest_density;
+    let mass = mass_seen(m, a.rest_ratio, b.mass, b.rest_ratio, b.wall) * p.particle_mass;
     return div(local_density(m, p, a) * mass * 2.0, both);
 }
 
@@ -92,13 +98,13 @@ pub fn viscosity_pair<R: Real>(
     let approach = dot3(v_ab, x_ab);
     // grad W = -slope x_ab / r, r = q H_ab
     let fall = over_distance(slope * scale * p.inverse_support, q);
-    if m.viscosity == DOTTED {
-        let along = viscosity_dotted(p, pair_viscosity(m, a, b), volume_b, approach, inverse_square);
+    if m.viscosity == MONAGHAN_GINGOLD {
+        let along = viscosity_monaghan_gingold(p, pair_viscosity(m, a, b), volume_b, approach, inverse_square);
         return x_ab * -(along * fall);
     }
-    let sound_a = sound_of_state(m, a.deviation, a.sound, a.equation);
-    let sound_b = wall_mirrored(m, a.sound, b.sound, b.wall);
-    let equation_b = wall_mirrored(m, a.equation, b.equation, b.wall);
+    let sound_a = sound_of_state(m, a.deviation, a.speed_of_sound, a.state_equation);
+    let sound_b = wall_mirrored(m, a.speed_of_sound, b.speed_of_sound, b.wall);
+    let equation_b = wall_mirrored(m, a.state_equation, b.state_equation, b.wall);
     let mean_sound = (sound_a + sound_of_state(m, b.deviation, sound_b, equation_b)) * 0.5;
     let along = viscosity_artificial(p, mean_density_weight(m, p, a, b), mean_sound, approach, inverse_square);
     return x_ab * (along * fall);

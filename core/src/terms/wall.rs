@@ -5,12 +5,12 @@ use crate::layout::Model;
 
 /// None.
 pub const NO_WALLS: u32 = 0;
-/// S1 algorithm 1.
+/// Hinsch 2024 algorithm 1.
 pub const MIRRORED: u32 = 1;
-/// S0 section 3.5.3.
-pub const QUASI_FLUID: u32 = 2;
+/// Pirovano, section 3.5.3.
+pub const DYNAMIC: u32 = 2;
 
-/// `x` of a neighbour in the fluid; of a mirroring wall, what the particle itself has (S1 algorithm 1): a pressure that
+/// `x` of a neighbour in the fluid; of a mirroring wall, what the particle itself has (Hinsch 2024 algorithm 1): a pressure that
 /// always answers, and never pulls harder than the fluid does.
 #[inline(always)]
 pub fn wall_mirrored<R: Real>(m: &Model, own: R, x: R, wall_b: R) -> R {
@@ -20,11 +20,11 @@ pub fn wall_mirrored<R: Real>(m: &Model, own: R, x: R, wall_b: R) -> R {
     return x;
 }
 
-/// Viscosity of a pair, Pa s: the mean, or that of the wall, from no slip to none (S0 section 3.5.3); a wall that has none of
+/// Viscosity of a pair, Pa s: the mean, or that of the wall, from no slip to none (Pirovano, section 3.5.3); a wall that has none of
 /// its own, which is written as a negative one, has the particle's.
 #[inline(always)]
 pub fn pair_viscosity<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {
-    if m.species == 0 {
+    if m.has_materials == 0 {
         return a.viscosity;
     }
     let nothing: R = real(0.0);
@@ -35,7 +35,7 @@ pub fn pair_viscosity<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {
 /// 0 for what a particle of a wall, or of air that is not there, would do, were it free.
 #[inline(always)]
 pub fn if_free<R: Real>(m: &Model, x: vec3<R>, wall: R) -> vec3<R> {
-    if m.wall_particles + m.air == NO_WALLS {
+    if m.wall_particles + m.has_air == NO_WALLS {
         return x;
     }
     let nothing: R = real(0.0);
@@ -45,7 +45,7 @@ pub fn if_free<R: Real>(m: &Model, x: vec3<R>, wall: R) -> vec3<R> {
 /// `free` for a particle that moves, `held` for one of a wall or of air that is not there.
 #[inline(always)]
 pub fn only_if_free<R: Real>(m: &Model, held: vec3<R>, free: vec3<R>, wall: R) -> vec3<R> {
-    if m.wall_particles + m.air == NO_WALLS {
+    if m.wall_particles + m.has_air == NO_WALLS {
         return free;
     }
     let is_held = less(real(0.0), wall);
@@ -56,7 +56,7 @@ pub fn only_if_free<R: Real>(m: &Model, held: vec3<R>, free: vec3<R>, wall: R) -
 /// the particle's own fluid.
 #[inline(always)]
 pub fn mass_seen<R: Real>(m: &Model, rest_a: R, mass_b: R, rest_b: R, wall_b: R) -> R {
-    if m.fluids == 0 {
+    if m.is_multi_fluid == 0 {
         return mass_b;
     }
     return mass_b * wall_mirrored(m, rest_a, rest_b, wall_b);
@@ -66,22 +66,22 @@ pub fn mass_seen<R: Real>(m: &Model, rest_a: R, mass_b: R, rest_b: R, wall_b: R)
 /// own fluid.
 #[inline(always)]
 pub fn density_seen<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {
-    return density_ratio(m, b.deviation, wall_mirrored(m, a.rest, b.rest, b.wall));
+    return density_ratio(m, b.deviation, wall_mirrored(m, a.rest_ratio, b.rest_ratio, b.wall));
 }
 
 /// `m_b / m_a`.
 #[inline(always)]
 pub fn mass_ratio<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {
-    if m.fluids == 0 {
+    if m.is_multi_fluid == 0 {
         return div(b.mass, a.mass);
     }
-    return div(mass_seen(m, a.rest, b.mass, b.rest, b.wall), a.mass * a.rest);
+    return div(mass_seen(m, a.rest_ratio, b.mass, b.rest_ratio, b.wall), a.mass * a.rest_ratio);
 }
 
 /// Volume that a neighbour stands for, m3: for a mirroring wall its own mass at the particle's density.
 #[inline(always)]
 pub fn neighbour_volume<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {
-    if m.masses == 0 {
+    if m.has_variable_mass == 0 {
         return wall_mirrored(m, a.volume, b.volume, b.wall);
     }
     return wall_mirrored(m, a.volume * div(b.mass, a.mass), b.volume, b.wall);

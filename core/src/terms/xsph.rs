@@ -1,4 +1,4 @@
-//! XSPH (Monaghan 1989; S0 eq. 2.16 per errata, S3): a particle moves with a velocity nearer to its neighbours'.
+//! XSPH (Monaghan 1989; Pirovano eq. 2.16, corrected, Roy): a particle moves with a velocity nearer to its neighbours'.
 use super::geometry::*;
 use super::kernel::*;
 use super::pair::*;
@@ -14,8 +14,8 @@ pub fn xsph_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R
     let scale = pair_scale(m, a.support, b.support);
     let q2 = squared_ratio(m, p, x_ab, scale);
     let w = value_scaled(m, density_kernel(m, t, q2), scale);
-    let both = density_ratio(m, a.deviation, a.rest) + density_seen(m, a, b);
-    let mass = mass_seen(m, a.rest, b.mass, b.rest, b.wall);
+    let both = density_ratio(m, a.deviation, a.rest_ratio) + density_seen(m, a, b);
+    let mass = mass_seen(m, a.rest_ratio, b.mass, b.rest_ratio, b.wall);
     return (b.velocity - a.velocity) * if_inside(q2, div(w * mass * 2.0, both));
 }
 

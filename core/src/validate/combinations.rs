@@ -5,11 +5,11 @@ use super::traversal;
 use crate::derive::scales::Scales;
 use crate::error::SceneError;
 use crate::scene::{
-    Air, Correction, DensityForm, Elasticity, EquationOfState, Evaluation, Fluid, GridStructure, Iteration, Kernel,
-    Live, NearPressure, PressureForce, Scene, SurfaceTension, Viscosity, WallPressure,
+    Adjustable, Air, Correction, DensityForm, Elasticity, EquationOfState, Evaluation, Fluid, GridStructure, Iteration,
+    Kernel, NearPressure, PressureForce, Scene, SurfaceTension, Viscosity, WallPressure,
 };
 
-/// Spacings that sound may travel in a step of the literal pressure correction: beyond, its iteration grows (errata of S0
+/// Spacings that sound may travel in a step of the literal pressure correction: beyond, its iteration grows (errata of Pirovano
 /// section 3.2.2).
 const LITERAL_SPACINGS: f32 = 1.5;
 
@@ -31,9 +31,9 @@ pub(super) fn check(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
     traversal::check(scene)?;
     let model = &scene.model;
     let one_sided = matches!(model.pressure_force, PressureForce::Canonical | PressureForce::Difference);
-    if model.thermal_energy && one_sided {
+    if model.internal_energy && one_sided {
         return Err(not_together(
-            "model.thermal_energy",
+            "model.internal_energy",
             "a canonical or difference model.pressure_force",
             "its pairs do not act on each other alike, so their work is nobody's",
         ));
@@ -42,33 +42,35 @@ pub(super) fn check(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
         return Err(not_together("ambient_density", "no gravity", "nothing would be buoyant"));
     }
     let gas = |fluid: &Fluid| scene.equation_of(fluid) == EquationOfState::IdealGas;
-    if model.hydrostatic_start && scene.fluids().any(gas) {
+    if model.initialize_hydrostatic && scene.fluids().any(gas) {
         return Err(not_together(
-            "model.hydrostatic_start",
+            "model.initialize_hydrostatic",
             "an equation_of_state IdealGas",
             "a gas has no surface to measure depth from",
         ));
     }
-    if model.hydrostatic_start && scene.fluids().any(|fluid| scene.ambient_density >= fluid.rest_density) {
+    if model.initialize_hydrostatic && scene.fluids().any(|fluid| scene.ambient_density >= fluid.rest_density) {
         return Err(not_together(
-            "model.hydrostatic_start",
+            "model.initialize_hydrostatic",
             "an ambient_density as large as the fluid's",
             "its surface would be at the other end",
         ));
     }
-    if model.hydrostatic_start && scene.gravity == [0.0; 3] {
-        return Err(not_together("model.hydrostatic_start", "no gravity", "there is no weight to hold"));
+    if model.initialize_hydrostatic && scene.gravity == [0.0; 3] {
+        return Err(not_together("model.initialize_hydrostatic", "no gravity", "there is no weight to hold"));
     }
     Ok(())
 }
 
 /// A term can only be kept where there is a form of it.
 fn live(scene: &Scene) -> Result<(), SceneError> {
-    let lists = |term: Live| scene.live.contains(&term);
-    if lists(Live::SurfaceTension) && scene.model.surface_tension == SurfaceTension::Off {
+    let lists = |term: Adjustable| scene.adjustable.contains(&term);
+    if lists(Adjustable::SurfaceTension) && scene.model.surface_tension == SurfaceTension::Off {
         return Err(not_together("live SurfaceTension", "model.surface_tension Off", "there is no term to keep"));
     }
-    if lists(Live::Viscosity) && matches!(scene.model.viscosity, Viscosity::Artificial | Viscosity::Exchange) {
+    if lists(Adjustable::Viscosity)
+        && matches!(scene.model.viscosity, Viscosity::Artificial | Viscosity::VelocityExchange)
+    {
         return Err(not_together(
             "live Viscosity",
             "model.viscosity Artificial or Exchange",
@@ -92,7 +94,7 @@ fn kernels(scene: &Scene) -> Result<(), SceneError> {
             return Err(not_together(
                 "model.variable_support",
                 "model.evaluation from tables",
-                "a table is made for one support (S0 section 4.2.3)",
+                "a table is made for one support (Pirovano, section 4.2.3)",
             ));
         }
         let endless = model.pressure_kernel == Kernel::Viscosity
@@ -100,7 +102,7 @@ fn kernels(scene: &Scene) -> Result<(), SceneError> {
                 Viscosity::Mueller | Viscosity::MuellerAdapted => {
                     model.viscosity_kernel.is_cusped() && model.viscosity_kernel != Kernel::Viscosity
                 }
-                Viscosity::Exchange => false,
+                Viscosity::VelocityExchange => false,
                 _ => model.viscosity_kernel == Kernel::Viscosity,
             };
         if endless {
@@ -132,9 +134,9 @@ fn pressure(scene: &Scene) -> Result<(), SceneError> {
             "a mirrored pressure makes no difference, so nothing would hold the fluid",
         ));
     }
-    if model.density == DensityForm::NumberDensity && model.hydrostatic_start {
+    if model.density == DensityForm::NumberDensity && model.initialize_hydrostatic {
         return Err(not_together(
-            "model.hydrostatic_start",
+            "model.initialize_hydrostatic",
             "model.density NumberDensity",
             "masses that differ change no number",
         ));
@@ -177,8 +179,8 @@ fn correction(scene: &Scene) -> Result<(), SceneError> {
     if !iterated.contains(&scene.model.pressure_force) {
         return Err(not_together(
             "model.pressure_solver PressureCorrection",
-            "a canonical model.pressure_force, one of Mueller's or one on S4's number density",
-            "its iteration takes the whole gradient (S0 section 3.2.2)",
+            "a canonical model.pressure_force, one of Mueller's or one on Gourlay's number density",
+            "its iteration takes the whole gradient (Pirovano, section 3.2.2)",
         ));
     }
     let fastest = scene.fluids().map(|fluid| fluid.speed_of_sound).fold(0.0, f32::max);

@@ -24,7 +24,7 @@ pub(super) fn numbers(scene: &Scene) -> Result<(), SceneError> {
 
 /// Refuses supports that reach too far for sums over the lattice, where the scene needs them.
 pub(super) fn reach(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
-    let sums = scene.model.calibrated_mass || scene.corrects_pressure();
+    let sums = scene.model.normalize_mass || scene.corrects_pressure();
     let elastic = scene.fluids().any(|fluid| fluid.elastic_stiffness > 0.0);
     if (sums || elastic || !scene.walls.is_empty()) && scales.spacings(scene) > MOST_SPACINGS {
         return Err(SceneError::OutOfScale { field: "average_neighbours", value: average_neighbours(scene) });
@@ -38,20 +38,25 @@ fn surroundings(scene: &Scene) -> Result<(), SceneError> {
         finite("wind.velocity", &wind.velocity)?;
         not_negative("wind.drag", wind.drag)?;
     }
-    if let Some(field) = &scene.field {
-        finite("field.low", &field.low)?;
-        positive("field.spacing", field.spacing)?;
-        finite("field.spacing", &[1.0 / field.spacing])?;
-        for (axis, &nodes) in field.counts.iter().enumerate().take(scene.dimension.count()) {
-            if nodes < 2 {
-                return Err(SceneError::TooFewNodes { axis: Axis::of(axis), nodes });
+    if let Some(field) = &scene.acceleration_field {
+        finite("acceleration_field.low", &field.low)?;
+        positive("acceleration_field.spacing", field.spacing)?;
+        finite("acceleration_field.spacing", &[1.0 / field.spacing])?;
+        for (axis, &points) in field.counts.iter().enumerate().take(scene.dimension.count()) {
+            if points < 2 {
+                return Err(SceneError::TooFewPoints { axis: Axis::of(axis), points });
             }
         }
-        let nodes = field_counts(scene)[3];
-        if nodes > MOST_NODES {
+        let points = field_counts(scene)[3];
+        if points > MOST_NODES {
             let (value, least, most) =
-                (nodes as f32, 2u32.pow(scene.dimension.count() as u32) as f32, MOST_NODES as f32);
-            return Err(SceneError::OutOfBounds { field: "field.counts (multiplied)", value, least, most });
+                (points as f32, 2u32.pow(scene.dimension.count() as u32) as f32, MOST_NODES as f32);
+            return Err(SceneError::OutOfBounds {
+                field: "acceleration_field.counts (multiplied)",
+                value,
+                least,
+                most,
+            });
         }
     }
     Ok(())
@@ -104,7 +109,7 @@ fn fluid((number, fluid): (u32, &Fluid)) -> Result<(), SceneError> {
     share(field!(number, "xsph"), fluid.xsph)?;
     not_negative(field!(number, "near_stiffness"), fluid.near_stiffness.unwrap_or(0.0))?;
     share(field!(number, "heat_gain"), fluid.heat_gain)?;
-    not_negative(field!(number, "thermal_energy"), fluid.thermal_energy)?;
+    not_negative(field!(number, "internal_energy"), fluid.internal_energy)?;
     fluid.colour.iter().flatten().try_for_each(|&colour| share(field!(number, "colour"), colour))
 }
 

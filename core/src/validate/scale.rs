@@ -13,8 +13,8 @@ pub(super) fn check(scene: &Scene, derived: &Derived) -> Result<(), SceneError> 
     };
     for (number, (fluid, constants)) in scene.fluids().zip(&derived.fluids).enumerate() {
         let [state, near, ..] = materials.states[number];
-        let [thinning, offset, compressibility, _] = materials.corrections[number];
-        let correction = thinning * scene.time_step * scene.time_step + offset;
+        let [pressure_response, offset, compressibility, _] = materials.corrections[number];
+        let correction = pressure_response * scene.time_step * scene.time_step + offset;
         scale(field!(number, "speed_of_sound"), fluid.speed_of_sound, &[state, compressibility])?;
         if !near.is_finite() || (near == 0.0 && constants.near_stiffness > 0.0) {
             let (field, value) = match fluid.near_stiffness {
@@ -24,7 +24,7 @@ pub(super) fn check(scene: &Scene, derived: &Derived) -> Result<(), SceneError> 
             return Err(SceneError::OutOfScale { field, value });
         }
         scale("time_step", scene.time_step, &[correction, 1.0 / correction])?;
-        scale(field!(number, "rest_density"), fluid.rest_density, &[materials.species[number][2]])?;
+        scale(field!(number, "rest_density"), fluid.rest_density, &[materials.properties[number][2]])?;
         if fluid.elastic_stiffness > 0.0 {
             let pull = constants.spring_pull as f32;
             scale(field!(number, "elastic_stiffness"), fluid.elastic_stiffness, &[pull])?;

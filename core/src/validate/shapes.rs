@@ -47,7 +47,7 @@ pub(super) fn container(scene: &Scene) -> Result<(), SceneError> {
             return Err(SceneError::EmptyContainer { axis: Axis::of(axis), low, high });
         }
     }
-    share("container.bounce", container.bounce)?;
+    share("container.restitution", container.restitution)?;
     share("container.slip", container.slip)?;
     blocks_inside(scene, container)
 }

@@ -1,7 +1,7 @@
 //! How time may be stepped: bounds of an adaptive step, and what goes with which integrator.
 use super::bounds::{field, finite, not_together, positive};
 use crate::error::SceneError;
-use crate::scene::{Adaptive, Integrator, Scene, Viscosity};
+use crate::scene::{AdaptiveTimeStep, Integrator, Scene, Viscosity};
 
 /// The bounds of an adaptive step.
 pub(super) fn step_lengths(scene: &Scene) -> Result<(), SceneError> {
@@ -22,8 +22,8 @@ pub(super) fn step_lengths(scene: &Scene) -> Result<(), SceneError> {
     finite("adaptive.smallest", &[1.0 / adaptive.smallest])?;
     let bounds = [
         ("adaptive.largest", adaptive.largest, adaptive.smallest, f32::MAX),
-        ("adaptive.growth", adaptive.growth, 1.0, f32::MAX),
-        ("adaptive.redo_above", adaptive.redo_above.unwrap_or(1.0), 1.0, f32::MAX),
+        ("adaptive.max_growth", adaptive.max_growth, 1.0, f32::MAX),
+        ("adaptive.reject_ratio", adaptive.reject_ratio.unwrap_or(1.0), 1.0, f32::MAX),
         ("time_step", scene.time_step, adaptive.smallest, adaptive.largest),
     ];
     for (field, value, least, most) in bounds {
@@ -39,7 +39,7 @@ pub(super) fn integrator(scene: &Scene) -> Result<(), SceneError> {
     let model = &scene.model;
     let changes = model.integrator.allows_changing_steps();
     let corrects = scene.corrects_pressure();
-    if let Some(Adaptive { speed, acceleration, sound, viscosity, .. }) = scene.adaptive {
+    if let Some(AdaptiveTimeStep { speed, acceleration, sound, viscosity, .. }) = scene.adaptive {
         if !changes {
             return Err(not_together(
                 "adaptive",
@@ -50,7 +50,7 @@ pub(super) fn integrator(scene: &Scene) -> Result<(), SceneError> {
         if [speed, acceleration, sound, viscosity].iter().all(Option::is_none) {
             return Err(not_together("adaptive", "no criterion", "there is nothing for the time step to follow"));
         }
-        if model.viscosity == Viscosity::Exchange || scene.fluid.radial_exchange > 0.0 {
+        if model.viscosity == Viscosity::VelocityExchange || scene.fluid.radial_exchange > 0.0 {
             return Err(not_together(
                 "adaptive",
                 "exchanges of velocity",

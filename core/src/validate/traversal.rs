@@ -18,9 +18,9 @@ pub(super) fn check(scene: &Scene) -> Result<(), SceneError> {
         ),
         (!scene.walls.is_empty(), "walls of particles", alike),
         (
-            model.hydrostatic_start
+            model.initialize_hydrostatic
                 && matches!(model.surface_tension, SurfaceTension::Attraction | SurfaceTension::GradientSum),
-            "model.hydrostatic_start and a model.surface_tension between pairs",
+            "model.initialize_hydrostatic and a model.surface_tension between pairs",
             alike,
         ),
         (model.variable_support.is_some(), "model.variable_support", "it searches by one support for all"),
@@ -36,8 +36,8 @@ pub(super) fn check(scene: &Scene) -> Result<(), SceneError> {
             once,
         ),
         (model.surface_normals, "model.surface_normals", once),
-        (model.thermal_energy, "model.thermal_energy", once),
-        (model.viscosity == Viscosity::Exchange, "model.viscosity Exchange", once),
+        (model.internal_energy, "model.internal_energy", once),
+        (model.viscosity == Viscosity::VelocityExchange, "model.viscosity Exchange", once),
         (scene.fluids().any(|fluid| fluid.radial_exchange != 0.0), "fluid.radial_exchange", once),
         (scene.fluids().any(|fluid| fluid.xsph != 0.0), "fluid.xsph", once),
         (scene.air.is_some(), "air", once),

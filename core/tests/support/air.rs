@@ -1,6 +1,6 @@
 //! Drops with a coat of air; for CPU and device alike.
 use millpond_core::scene::{
-    Air, Block, Container, Dimension, Face, Fluid, Grid, ModelChoice, Periodic, PressureSolver, Scene, SupportRange,
+    Air, Block, Container, Dimension, Face, Fluid, Formulation, Grid, Periodic, PressureSolver, Scene, SupportRange,
     SurfaceTension, Wall, WallShape,
 };
 
@@ -14,7 +14,7 @@ pub fn drop(dimension: Dimension, capacity: u32) -> Scene {
     let block = Block { corner: [0.3; 3], size: [0.3; 3], velocity: [1.0, 0.5, 0.0], ..Block::default() };
     let mut scene = Scene::of(dimension, SPACING, 0.0002, water, block);
     let _ = scene.other_fluids.push(air);
-    scene.model = ModelChoice::multiphase();
+    scene.model = Formulation::multiphase();
     scene.grid = Grid { cells: [7, 7, 5], ..Grid::default() };
     scene.air = Some(Air { fluid: 1, capacity, threshold: 0.5, minimum_density: 0.5 });
     scene
@@ -70,9 +70,9 @@ pub fn scenes(base: &Scene) -> Vec<(&'static str, Scene)> {
         (
             "heat, XSPH and springs",
             changed(&|s| {
-                s.model.thermal_energy = true;
+                s.model.internal_energy = true;
                 (s.fluid.xsph, s.fluid.elastic_stiffness) = (0.3, 100.0);
-                s.other_fluids[0].thermal_energy = 3.0;
+                s.other_fluids[0].internal_energy = 3.0;
             }),
         ),
         (
@@ -80,7 +80,7 @@ pub fn scenes(base: &Scene) -> Vec<(&'static str, Scene)> {
             changed(&|s| {
                 s.model.pressure_solver = PressureSolver::PressureCorrection;
                 s.model.variable_support = Some(SupportRange { smallest: 0.8, largest: 1.2 });
-                s.model.suction = false;
+                s.model.negative_pressure = false;
             }),
         ),
     ]

@@ -1,5 +1,5 @@
 //! A block that falls, whose time step follows it; for CPU and device alike.
-use millpond_core::scene::{Adaptive, Block, Container, Dimension, Fluid, Grid, ModelChoice, Scene};
+use millpond_core::scene::{AdaptiveTimeStep, Block, Container, Dimension, Fluid, Formulation, Grid, Scene};
 
 /// A block that falls onto a floor: slow, then fast, then hard.
 pub fn falling() -> Scene {
@@ -10,8 +10,8 @@ pub fn falling() -> Scene {
     scene.gravity = [0.0, -9.81, 0.0];
     scene.container = Some(Container::closed([0.0; 3], [0.7, 0.7, 0.0]));
     scene.grid = Grid { cells: [12, 12, 1], ..Grid::default() };
-    scene.model = ModelChoice::modern();
-    scene.adaptive = Some(Adaptive::default());
+    scene.model = Formulation::modern();
+    scene.adaptive = Some(AdaptiveTimeStep::default());
     scene
 }
 
@@ -19,12 +19,12 @@ pub fn falling() -> Scene {
 pub fn impact() -> Scene {
     let mut scene = falling();
     scene.time_step = 4e-3;
-    scene.adaptive = Some(Adaptive {
+    scene.adaptive = Some(AdaptiveTimeStep {
         speed: None,
         sound: None,
         acceleration: Some(0.1),
-        redo_above: Some(1.0),
-        ..Adaptive::default()
+        reject_ratio: Some(1.0),
+        ..AdaptiveTimeStep::default()
     });
     scene
 }

@@ -3,7 +3,7 @@
 #![allow(dead_code, unreachable_pub, reason = "each test uses its part")]
 use millpond_core::plan::arrays::{Class, Unit};
 use millpond_core::scene::{
-    Block, Container, Dimension, Fluid, Grid, InitialParticle, Kernel, ModelChoice, NearPressure, PressureForce, Scene,
+    Block, Container, Dimension, Fluid, Formulation, Grid, InitialParticle, Kernel, NearPressure, PressureForce, Scene,
 };
 use millpond_core::{Array, Checked, Executor, OwnedMemory, Plan, Requirements, Solver, TimeReport};
 
@@ -12,7 +12,7 @@ pub mod falling;
 pub mod files;
 pub mod refused;
 
-/// The cube of the thesis (S0 section 5.2), of `edge` m and 8000 particles a cubic metre: nothing but each other.
+/// The cube of the thesis (Pirovano, section 5.2), of `edge` m and 8000 particles a cubic metre: nothing but each other.
 pub fn thesis_cube(edge: f32) -> Scene {
     let fluid = Fluid { dynamic_viscosity: 10.0, ..Fluid::default() };
     let block = Block { corner: [-edge / 2.0; 3], size: [edge; 3], ..Block::default() };
@@ -23,14 +23,14 @@ pub fn thesis_cube(edge: f32) -> Scene {
 }
 
 /// The choices of a dam break.
-fn of_a_dam() -> ModelChoice {
-    ModelChoice {
+fn of_a_dam() -> Formulation {
+    Formulation {
         density_kernel: Kernel::CubicSpline,
         pressure_kernel: Kernel::CubicSpline,
-        suction: false,
+        negative_pressure: false,
         pressure_force: PressureForce::Monaghan,
         near_pressure: NearPressure::Off,
-        ..ModelChoice::default()
+        ..Formulation::default()
     }
 }
 

@@ -21,8 +21,8 @@ fn axis_out_of_range(x: vec3<f32>) -> u32 {
 }
 
 // Cells in a stencil, and the i-th of them: z, then y, then x ascending.
-fn stencil_cells() -> u32 { return 9u + 18u * m.layers; }
+fn stencil_cells() -> u32 { return 9u + 18u * m.is_3d; }
 fn stencil_cell(own: vec3<i32>, i: u32) -> u32 {
-  let layer = i32(i / 9u) - i32(m.layers);
+  let layer = i32(i / 9u) - i32(m.is_3d);
   return cell_index(own + vec3<i32>(i32(i % 3u) - 1, i32(i / 3u % 3u) - 1, layer));
 }

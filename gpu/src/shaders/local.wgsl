@@ -3,11 +3,11 @@ fn local(a: u32) -> Local {
   let x = new_position[a];
   let v = new_velocity[a];
   let state = new_density_pressure[a];
-  let own = kind(v.w);
-  let states = materials.states[kind_index(v.w)];
-  let tension = materials.corrections[kind_index(v.w)].w;
+  let own = properties_of(v.w);
+  let states = materials.states[material_index(v.w)];
+  let tension = materials.corrections[material_index(v.w)].w;
   var support = 1.0f;
-  if m.variable_support == 1u { support = support_ratio[a]; }
+  if m.has_variable_support == 1u { support = support_ratio[a]; }
   return Local(x.xyz, v.xyz, support, x.w, state.x, state.y, state.z, state.w,
     own.x, own.y, own.z, own.w, states.z, states.w, tension);
 }

@@ -3,12 +3,12 @@ use super::{LevelTime, Options};
 use crate::failure::Failure;
 use crate::fluid::start;
 use crate::pool::Pool;
-use crate::scenes::Named;
+use crate::scenes::LoadedScene;
 use crate::timing::{Milliseconds, timed};
 use millpond_core::{Executor, OwnedMemory, Simd};
 
 /// Times the scene at each.
-pub(super) fn levels(named: &Named, options: &Options) -> Result<Vec<LevelTime>, Failure> {
+pub(super) fn levels(named: &LoadedScene, options: &Options) -> Result<Vec<LevelTime>, Failure> {
     let scene = &named.checked()?;
     let mut pools = vec![Pool::new(1)?, Pool::new(options.common.threads)?];
     pools.dedup_by_key(|pool| pool.width());

@@ -8,13 +8,13 @@ mod structures;
 mod table;
 
 use crate::arguments::{BackendName, Common};
-use crate::census::{FirstLast, census};
 use crate::failure::Failure;
 use crate::fluid::start;
 use crate::output::{deliver, progress};
 use crate::plan_view::{ArrayView, arrays};
 use crate::pool::Pool;
-use crate::scenes::{Changes, Named, load};
+use crate::scenes::{Changes, LoadedScene, load};
+use crate::state_summary::{FirstLast, summarize};
 use crate::timing::Milliseconds;
 use levels::levels;
 use measure::{time_cpu, time_gpu};
@@ -238,7 +238,7 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
 }
 
 /// Times one scene.
-fn bench(named: &Named, options: &Options) -> Result<Bench, Failure> {
+fn bench(named: &LoadedScene, options: &Options) -> Result<Bench, Failure> {
     let scene = &named.checked()?;
     let pool = Pool::new(options.common.threads)?;
     let mut heap = OwnedMemory::of(scene);
@@ -284,7 +284,7 @@ fn bench(named: &Named, options: &Options) -> Result<Bench, Failure> {
         }
     }
     let rate = |pairs: u64| pairs as f64 / ms_per_step.min * 1e-3;
-    let [first, last] = [&timed.first, &timed.last].map(|state| census(scene, state).map(|c| c.average_neighbours));
+    let [first, last] = [&timed.first, &timed.last].map(|state| summarize(scene, state).map(|c| c.average_neighbours));
     Ok(Bench {
         scene: named.name.clone(),
         particles: needs.counts.particles,

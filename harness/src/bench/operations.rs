@@ -2,7 +2,7 @@
 use millpond_core::arithmetic::real::{Real, real, vec3};
 use millpond_core::layout::{Model, Parameters, TABLE_WORDS};
 use millpond_core::terms::density::{continuity_neighbour, is_stepped, number_density_neighbour, summed_neighbour};
-use millpond_core::terms::near::{ARTICLE, near_density_neighbour};
+use millpond_core::terms::near::{DOUBLE_DENSITY, near_density_neighbour};
 use millpond_core::terms::neighbour::force_neighbour;
 use millpond_core::terms::pair::{Local, pair_scale, separation, squared_ratio};
 use millpond_core::terms::wall::mass_seen;
@@ -131,10 +131,10 @@ fn pair(p: &Parameters) -> [Local<Counted>; 2] {
             volume: one(),
             viscosity: one(),
             wall: Counted(0.0),
-            rest: one(),
+            rest_ratio: one(),
             fluid: Counted(0.0),
-            sound: one(),
-            equation: Counted(0.0),
+            speed_of_sound: one(),
+            state_equation: Counted(0.0),
             tension: one(),
         }
     })
@@ -159,7 +159,7 @@ pub(super) fn of_density(m: &Model, p: &Parameters) -> u64 {
         let (q2, mass_b) = if m.sums_distances() {
             (real(0.16), one)
         } else {
-            (squared_distance(m, p, a, b), mass_seen(m, a.rest, b.mass, b.rest, b.wall))
+            (squared_distance(m, p, a, b), mass_seen(m, a.rest_ratio, b.mass, b.rest_ratio, b.wall))
         };
         let sum = if is_stepped(m) {
             let v_ab = a.velocity - b.velocity;
@@ -168,8 +168,8 @@ pub(super) fn of_density(m: &Model, p: &Parameters) -> u64 {
         } else {
             summed_neighbour(m, tables, mass_b, q2, one)
         };
-        let near = (m.near_pressure == ARTICLE).then(|| near_density_neighbour(m, mass_b, q2, one));
-        let number = (m.numbers == 1).then(|| number_density_neighbour(m, tables, q2, one));
+        let near = (m.near_pressure == DOUBLE_DENSITY).then(|| near_density_neighbour(m, mass_b, q2, one));
+        let number = (m.has_number_density_volume == 1).then(|| number_density_neighbour(m, tables, q2, one));
         // and they are added up
         [Some(sum), near, number].map(|sum| sum.map(|sum| one + sum))
     })

@@ -4,14 +4,14 @@ use crate::failure::Failure;
 use crate::fluid::start;
 use crate::plan_view::USUAL_PLACES;
 use crate::pool::Pool;
-use crate::scenes::Named;
+use crate::scenes::LoadedScene;
 use crate::timing::{Milliseconds, timed};
 use millpond_core::scene::GridStructure;
 use millpond_core::{Checked, OwnedMemory, Requirements, Simd};
 
 /// Times the scene with both grid structures, in turn.
 pub(super) fn structures(
-    named: &Named,
+    named: &LoadedScene,
     simd: Simd,
     pool: &Pool,
     options: &Options,

@@ -1,4 +1,4 @@
-//! `air`: what a coat of air does to the tension that a free surface has of itself (S0 section 3.4.2; S0 test 1 in the plane). The
+//! `air`: what a coat of air does to the tension that a free surface has of itself (Pirovano, section 3.4.2; Pirovano test 1 in the plane). The
 //! outermost row of a liquid misses half of its neighbours, so its summed density is low, its pressure negative, and the drop is
 //! pulled together by an error. The thesis proposes to surround it by air whose particles it counts, with forms that see
 //! contrasts of density.
@@ -8,11 +8,11 @@
 //! else becomes of it is told as it came out, for other air too.
 use super::flow::{checked, fluid, grid, larger, mean, rms_speed, start_with, step, steps_to};
 use super::recipes::SEVERAL_FLUIDS;
-use super::{Context, Figure, Outcome};
+use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
-use millpond_core::scene::{Air, Block, DensityForm, Dimension, Fluid, ModelChoice, PressureForce, Scene};
+use millpond_core::scene::{Air, Block, DensityForm, Dimension, Fluid, Formulation, PressureForce, Scene};
 use millpond_core::{AirReport, Particle, Solver};
 
 const NAME: &str = "air";
@@ -102,14 +102,14 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let (bare, coated) = (bare?, coated?);
     let face = f64::from(4 * (EDGE - 1));
     let figures = vec![
-        Figure::below("density of the outermost row off by, with air over without", (coated.row / bare.row).abs(), 1.0),
-        Figure::above(
+        Metric::below("density of the outermost row off by, with air over without", (coated.row / bare.row).abs(), 1.0),
+        Metric::above(
             "particles of air made at first, over those of the outermost row",
             f64::from(coated.first.alive) / face,
             1.0,
         ),
-        Figure::below("largest rms speed, with air over without", coated.speed / bare.speed, 1.0),
-        Figure::below("births of air refused", coated.last.refused as f64, 0.0),
+        Metric::below("largest rms speed, with air over without", coated.speed / bare.speed, 1.0),
+        Metric::below("births of air refused", coated.last.refused as f64, 0.0),
     ];
     let titles = [
         "density",
@@ -144,11 +144,11 @@ fn scene((density, coat): (DensityForm, Option<Coat>)) -> Scene {
     let water = Fluid { rest_density: WATER, speed_of_sound: SOUND, dynamic_viscosity: VISCOSITY, ..Fluid::default() };
     let block = Block { corner: [-edge / 2.0, -edge / 2.0, 0.0], size: [edge; 3], ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, SPACING, TIME_STEP, water, block);
-    scene.model = ModelChoice { density, ..SEVERAL_FLUIDS };
+    scene.model = Formulation { density, ..SEVERAL_FLUIDS };
     if density == DensityForm::Summation {
         scene.model.pressure_force = PressureForce::Monaghan;
     }
-    scene.model.calibrated_mass = true;
+    scene.model.normalize_mass = true;
     scene.grid = grid(Dimension::Two, 16);
     if let Some(Coat { ratio, sound, threshold }) = coat {
         let (rest_density, dynamic_viscosity) = (WATER / ratio, VISCOSITY);

@@ -6,14 +6,14 @@
 use super::flow::{checked, fluid, grid, larger, start_with, step, steps_to};
 use super::recipes::WENDLAND;
 use super::reference::{couette as couette_series, numbers, poiseuille as poiseuille_series};
-use super::{Context, Figure, Outcome};
+use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
 use millpond_core::Solver;
 use millpond_core::derive::support_radius;
 use millpond_core::scene::{
-    Block, Dimension, Face, Fluid, Kernel, ModelChoice, Periodic, Scene, Viscosity, Wall, WallShape,
+    Block, Dimension, Face, Fluid, Formulation, Kernel, Periodic, Scene, Viscosity, Wall, WallShape,
 };
 
 /// kg/m3; Pa s, so that the kinematic viscosity is 1.
@@ -85,9 +85,9 @@ fn run(context: &Context, drive: &Drive) -> Result<Outcome, Failure> {
     let worst: Vec<f64> = errors.iter().map(|errors| errors.iter().copied().fold(0.0, larger)).collect();
     let [coarse, fine] = [0, 1].map(|i| worst.get(i).copied().unwrap_or(f64::NAN));
     let figures = vec![
-        Figure::below("series against the table of the catalogue", series_error(drive)?, SERIES_LIMIT),
-        Figure::below(format!("largest error over u_max, {} across", ACROSS[1]), fine, LIMIT),
-        Figure::below(format!("over the same with {} across", ACROSS[0]), fine / coarse, 1.0),
+        Metric::below("series against the table of the catalogue", series_error(drive)?, SERIES_LIMIT),
+        Metric::below(format!("largest error over u_max, {} across", ACROSS[1]), fine, LIMIT),
+        Metric::below(format!("over the same with {} across", ACROSS[0]), fine / coarse, 1.0),
     ];
     let percent = |i: usize, time: usize| format!("{:.2} %", errors[i][time] * 100.0);
     let lines = times.iter().enumerate().map(|(time, t)| [format!("{t}"), percent(0, time), percent(1, time)]);
@@ -115,12 +115,12 @@ fn scene(drive: &Drive, across: u16) -> Scene {
     let plane = |face, y| WallShape::Plane { face, low: [0.0, y, 0.0], high: [length, y, 0.0] };
     let wall = |face, y, speed| Wall { velocity: [speed, 0.0, 0.0], ..Wall::still(plane(face, y)) };
     scene.walls = [wall(Face::Floor, 0.0, 0.0), wall(Face::Ceiling, 1.0, drive.lid)].into_iter().collect();
-    scene.model = ModelChoice {
+    scene.model = Formulation {
         density_kernel: Kernel::CubicSpline,
         pressure_kernel: Kernel::CubicSpline,
         viscosity_kernel: Kernel::CubicSpline,
         viscosity: Viscosity::Morris,
-        calibrated_mass: true,
+        normalize_mass: true,
         ..WENDLAND
     };
     scene.grid = grid(Dimension::Two, 32);

@@ -3,7 +3,7 @@ use super::flow::{fluid, grid, mean};
 use super::recipes::WENDLAND;
 use millpond_core::Solver;
 use millpond_core::derive::support_radius;
-use millpond_core::scene::{Block, Dimension, Face, Fluid, Kernel, ModelChoice, Scene, Wall, WallShape};
+use millpond_core::scene::{Block, Dimension, Face, Fluid, Formulation, Kernel, Scene, Wall, WallShape};
 
 /// A tank of water.
 #[derive(Clone, Copy, Debug)]
@@ -70,12 +70,12 @@ impl Column {
         let (kernel, neighbours) = self.kernel;
         scene.average_neighbours = neighbours;
         scene.time_step = (self.courant * support_radius(&scene) / f64::from(self.speed_of_sound)) as f32;
-        scene.model = ModelChoice {
+        scene.model = Formulation {
             density_kernel: kernel,
             pressure_kernel: kernel,
             viscosity_kernel: kernel,
-            calibrated_mass: true,
-            suction: false,
+            normalize_mass: true,
+            negative_pressure: false,
             ..WENDLAND
         };
         let high = [self.width, self.depth * (1.0 + HEADROOM), 0.0];

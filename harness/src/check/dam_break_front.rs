@@ -3,13 +3,13 @@
 use super::flow::{checked, grid, start_with, step, steps_to};
 use super::recipes::WENDLAND;
 use super::reference::{along, pairs};
-use super::{Context, Figure, Outcome};
+use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
 use millpond_core::derive::support_radius;
 use millpond_core::scene::{
-    Block, DensityForm, Dimension, Face, Fluid, ModelChoice, Scene, Wall, WallPressure, WallShape,
+    Block, DensityForm, Dimension, Face, Fluid, Formulation, Scene, Wall, WallPressure, WallShape,
 };
 use millpond_core::{Checked, Solver};
 
@@ -54,7 +54,7 @@ const SPEED_LIMIT: f64 = 2.0;
 const LATER: [f64; 2] = [1.43, 3.33];
 
 /// Forms with the limits.
-const BEST: (DensityForm, WallPressure) = (DensityForm::Summation, WallPressure::QuasiFluid);
+const BEST: (DensityForm, WallPressure) = (DensityForm::Summation, WallPressure::Dynamic);
 
 /// The front: Z = z / a over T = n t sqrt(g / a).
 type Front = Vec<[f64; 2]>;
@@ -98,15 +98,15 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let (raw, shifted, _) = judged(&front);
     let speed = (along(&front, LATER[1]) - along(&front, LATER[0])) / (LATER[1] - LATER[0]);
     let mut figures = vec![
-        Figure::below(format!("rms error of Z, a/dx = {side}"), raw[0], RAW_LIMIT),
-        Figure::below(format!("the same, best shift, a/dx = {side}"), shifted[0], SHIFTED_LIMIT),
-        Figure::below("dZ/dT from 1.43 to 3.33", speed, SPEED_LIMIT),
+        Metric::below(format!("rms error of Z, a/dx = {side}"), raw[0], RAW_LIMIT),
+        Metric::below(format!("the same, best shift, a/dx = {side}"), shifted[0], SHIFTED_LIMIT),
+        Metric::below("dZ/dT from 1.43 to 3.33", speed, SPEED_LIMIT),
     ];
     if !context.quick {
         // shifted: what remains of the raw error is the experiment's gate, which no resolution opens faster
         let (_, coarse, _) = judged(&coarse);
         let ratio = shifted[0] / coarse[0];
-        figures.push(Figure::below(format!("best shift, over that with a/dx = {COARSE}"), ratio, 1.0));
+        figures.push(Metric::below(format!("best shift, over that with a/dx = {COARSE}"), ratio, 1.0));
     }
     let titles = ["a/dx", "density, walls", "Martin and Moyce: rms, best shift", "Koshizuka and Oka"];
     let points = measured.iter().map(|[t, z]| [format!("{t}"), format!("{z}"), format!("{:.2}", along(&front, *t))]);
@@ -126,9 +126,15 @@ fn scene(side: u16, (density, wall_pressure): (DensityForm, WallPressure)) -> Sc
     scene.time_step = (COURANT * support_radius(&scene) / f64::from(SPEED_OF_SOUND)) as f32;
     scene.gravity = [0.0, -GRAVITY, 0.0];
     // the column stands behind its gate before it is let go; numbers of particles cannot be made to show its weight
-    let hydrostatic_start = density != DensityForm::NumberDensity;
-    scene.model =
-        ModelChoice { density, wall_pressure, hydrostatic_start, calibrated_mass: true, suction: false, ..WENDLAND };
+    let initialize_hydrostatic = density != DensityForm::NumberDensity;
+    scene.model = Formulation {
+        density,
+        wall_pressure,
+        initialize_hydrostatic,
+        normalize_mass: true,
+        negative_pressure: false,
+        ..WENDLAND
+    };
     let shape = WallShape::Box { low: [0.0; 3], high: TANK, open: [Face::Ceiling].into_iter().collect() };
     // no slip: the bed of the experiment was dry, and the front is the tongue that runs over it
     scene.walls = [Wall::still(shape)].into_iter().collect();

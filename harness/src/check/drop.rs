@@ -9,7 +9,7 @@ use super::recipes::SEVERAL_FLUIDS;
 use crate::failure::Failure;
 use millpond_core::derive::support_radius;
 use millpond_core::scene::{
-    Block, Dimension, Fluid, InitialParticle, Kernel, ModelChoice, Periodic, Scene, SurfaceTension,
+    Block, Dimension, Fluid, Formulation, InitialParticle, Kernel, Periodic, Scene, SurfaceTension,
 };
 use millpond_core::{Particle, Solver};
 use std::f64::consts::PI;
@@ -196,11 +196,11 @@ impl Droplet {
         let (kernel, neighbours) = setting.kernel;
         scene.average_neighbours = neighbours;
         scene.time_step = time_step(&scene, f64::from(viscosity)) as f32;
-        scene.model = ModelChoice {
+        scene.model = Formulation {
             density_kernel: kernel,
             pressure_kernel: kernel,
             viscosity_kernel: kernel,
-            calibrated_mass: true,
+            normalize_mass: true,
             surface_tension: self.tension,
             ..SEVERAL_FLUIDS
         };

@@ -1,17 +1,17 @@
-//! `elastic`: S0 test 3 (section 5.3.3) and the spring that it is made of (S0 eq. 2.26).
+//! `elastic`: Pirovano test 3 (section 5.3.3) and the spring that it is made of (Pirovano eq. 2.26).
 //!
 //! Two particles on one spring swing with the period of its stiffness and their masses: the more steps to a period, the
 //! closer. An elastic cube that falls onto the floor of a box flattens, bounces, trembles and has its shape again, and
 //! the account of its energies never grows: what a penalty wall takes is gone, and it gives nothing.
 use super::flow::{checked, fluid, grid, larger, mean, start_with, step, steps_to};
 use super::recipes::WENDLAND;
-use super::{Context, Figure, Outcome};
+use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use glam::Vec3;
 use millpond_core::OwnedMemory;
 use millpond_core::report::Energies;
-use millpond_core::scene::{Block, Container, Dimension, Fluid, InitialParticle, ModelChoice, Scene};
+use millpond_core::scene::{Block, Container, Dimension, Fluid, Formulation, InitialParticle, Scene};
 use millpond_core::{Particle, Solver};
 use std::f64::consts::{PI, TAU};
 
@@ -77,17 +77,17 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let order = ((coarse.period - 1.0) / (fine.period - 1.0)).abs().log2();
     let cube = fall(context)?;
     let figures = vec![
-        Figure::below(format!("period of a pair off by, {few} steps"), (coarse.period - 1.0).abs(), PERIOD_LIMIT),
-        Figure::above(format!("order of that, {few} to {many} steps"), order, ORDER),
-        Figure::below(format!("energy of a pair off by, {many} steps"), fine.energy, PAIR_ENERGY_LIMIT),
-        Figure::below("energy of a falling cube off by", cube.flight, FLIGHT_LIMIT),
-        Figure::below("largest rise of its energy over the start", cube.rise, RISE_LIMIT),
-        Figure::below("energy of its springs, summed here, off by", cube.springs, SPRINGS_LIMIT),
-        Figure::below("height at its flattest over the start's", cube.flattest, FLATTEST),
-        Figure::above("rise of its centre, m", cube.bounce, BOUNCE),
-        Figure::above("rise of its lowest particle, m", cube.clearance, CLEARANCE),
-        Figure::below("rms strain of its springs, at the end", cube.strain, STRAIN_LIMIT),
-        Figure::below("its extent off by, at the end", cube.extent, EXTENT_LIMIT),
+        Metric::below(format!("period of a pair off by, {few} steps"), (coarse.period - 1.0).abs(), PERIOD_LIMIT),
+        Metric::above(format!("order of that, {few} to {many} steps"), order, ORDER),
+        Metric::below(format!("energy of a pair off by, {many} steps"), fine.energy, PAIR_ENERGY_LIMIT),
+        Metric::below("energy of a falling cube off by", cube.flight, FLIGHT_LIMIT),
+        Metric::below("largest rise of its energy over the start", cube.rise, RISE_LIMIT),
+        Metric::below("energy of its springs, summed here, off by", cube.springs, SPRINGS_LIMIT),
+        Metric::below("height at its flattest over the start's", cube.flattest, FLATTEST),
+        Metric::above("rise of its centre, m", cube.restitution, BOUNCE),
+        Metric::above("rise of its lowest particle, m", cube.clearance, CLEARANCE),
+        Metric::below("rms strain of its springs, at the end", cube.strain, STRAIN_LIMIT),
+        Metric::below("its extent off by, at the end", cube.extent, EXTENT_LIMIT),
     ];
     let pairs = [(few, coarse), (many, fine)].map(|(steps, swing)| {
         // what velocity Verlet makes of a swing: sin(omega' dt / 2) = omega dt / 2
@@ -121,7 +121,7 @@ fn pair() -> Scene {
     let fluid = Fluid { elastic_stiffness: PAIR_STIFFNESS, ..Fluid::default() };
     let block = Block { size: [2.0 * PAIR_SPACING, PAIR_SPACING, 0.0], ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, PAIR_SPACING, 1.0, fluid, block);
-    scene.model = ModelChoice { suction: false, ..WENDLAND };
+    scene.model = Formulation { negative_pressure: false, ..WENDLAND };
     scene.grid = grid(Dimension::Two, 8);
     scene
 }
@@ -166,7 +166,7 @@ struct Fall {
     /// Smallest height over that of the start.
     flattest: f64,
     /// Most that the centre rose again, m.
-    bounce: f64,
+    restitution: f64,
     /// Highest place of the lowest particle after the first contact, m.
     clearance: f64,
     /// Root of the mean square strain at the end.
@@ -191,7 +191,7 @@ fn cube(context: &Context) -> Scene {
     scene.gravity = [0.0, -GRAVITY, 0.0];
     let width = edge + 2.0 * MARGIN;
     scene.container = Some(Container::closed([0.0; 3], [width, 2.0 * (edge + DROP), width]));
-    scene.model = ModelChoice { calibrated_mass: true, suction: false, thermal_energy: true, ..WENDLAND };
+    scene.model = Formulation { normalize_mass: true, negative_pressure: false, internal_energy: true, ..WENDLAND };
     scene.grid = grid(Dimension::Three, 16);
     scene
 }
@@ -235,7 +235,7 @@ fn fall(context: &Context) -> Result<Fall, Failure> {
         rise,
         springs: (at_fullest.elastic / summed - 1.0).abs(),
         flattest,
-        bounce,
+        restitution: bounce,
         clearance,
         strain: mean(&stretches(&solver), |[stretch, rest]| (stretch / rest).powi(2)).sqrt(),
         extent: sizes.map(|(now, before)| (now / before - 1.0).abs()).fold(0.0, larger),

@@ -1,14 +1,14 @@
-//! Kernels from tables (S0 section 4.2.3) beside kernels by formula: how far apart a step comes out, and what it costs.
+//! Kernels from tables (Pirovano, section 4.2.3) beside kernels by formula: how far apart a step comes out, and what it costs.
 use super::flow::{checked, fluid, grid, mean, start_with};
-use super::recipes::{THESIS, WENDLAND};
-use super::{Context, Figure};
+use super::recipes::{DENSITY_PROPORTIONAL, WENDLAND};
+use super::{Context, Metric};
 use crate::failure::Failure;
 use crate::outcome::table;
 use crate::output::progress;
 use crate::timing::{Milliseconds, timed};
 use millpond_core::OwnedMemory;
 use millpond_core::Particle;
-use millpond_core::scene::{Block, Dimension, Evaluation, Fluid, ModelChoice, Scene};
+use millpond_core::scene::{Block, Dimension, Evaluation, Fluid, Formulation, Scene};
 
 /// Particles along an edge of a cube that is shaken by so much of its spacing: pairs at all distances.
 const EDGE: u16 = 16;
@@ -26,7 +26,7 @@ const DENSITY_LIMIT: f64 = 1e-4;
 const VELOCITY_LIMIT: f64 = 1e-3;
 
 /// A way to evaluate, and what came of it.
-struct Way {
+struct AxisSetter {
     evaluation: Evaluation,
     /// After one step.
     particles: Vec<Particle>,
@@ -37,15 +37,15 @@ struct Way {
 ///
 /// # Errors
 /// A scene that cannot run.
-pub(super) fn figures(context: &Context) -> Result<(Vec<Figure>, String), Failure> {
-    let models = [("thesis", THESIS), ("modern", WENDLAND)];
+pub(super) fn figures(context: &Context) -> Result<(Vec<Metric>, String), Failure> {
+    let models = [("thesis", DENSITY_PROPORTIONAL), ("modern", WENDLAND)];
     let mut figures = Vec::new();
     let mut lines = Vec::new();
     let bar = progress("kernels, from tables", 3 * models.len() as u64);
     for (name, model) in models {
         let mut ways = Vec::new();
         for evaluation in [Evaluation::Direct, Evaluation::Table, Evaluation::SquaredTable] {
-            ways.push(way(context, ModelChoice { evaluation, ..model })?);
+            ways.push(way(context, Formulation { evaluation, ..model })?);
             bar.inc(1);
         }
         let Some((direct, tables)) = ways.split_first() else { continue };
@@ -55,8 +55,8 @@ pub(super) fn figures(context: &Context) -> Result<(Vec<Figure>, String), Failur
         for way in tables {
             let [density, velocity] = apart(&direct.particles, &way.particles);
             let what = format!("{name} kernels, {:?}", way.evaluation);
-            figures.push(Figure::below(format!("density off by, {what}"), density, DENSITY_LIMIT));
-            figures.push(Figure::below(format!("velocity off by, {what}"), velocity, VELOCITY_LIMIT));
+            figures.push(Metric::below(format!("density off by, {what}"), density, DENSITY_LIMIT));
+            figures.push(Metric::below(format!("velocity off by, {what}"), velocity, VELOCITY_LIMIT));
             let [density, velocity] = [density, velocity].map(|x| format!("{x:.1e}"));
             lines.push([name.into(), format!("{:?}", way.evaluation), density, velocity, time(way.times)]);
         }
@@ -66,7 +66,7 @@ pub(super) fn figures(context: &Context) -> Result<(Vec<Figure>, String), Failur
     Ok((figures, table(titles, lines)))
 }
 
-fn way(context: &Context, model: ModelChoice) -> Result<Way, Failure> {
+fn way(context: &Context, model: Formulation) -> Result<AxisSetter, Failure> {
     let edge = f32::from(if context.quick { QUICK_EDGE } else { EDGE }) * SPACING;
     let water = Fluid { dynamic_viscosity: 1.0, ..Fluid::default() };
     let block = Block { size: [edge; 3], jitter: JITTER, ..Block::default() };
@@ -84,7 +84,7 @@ fn way(context: &Context, model: ModelChoice) -> Result<Way, Failure> {
         result?;
         times.push(ms);
     }
-    Ok(Way { evaluation: model.evaluation, particles, times: Milliseconds::of(&times) })
+    Ok(AxisSetter { evaluation: model.evaluation, particles, times: Milliseconds::of(&times) })
 }
 
 /// Largest difference of a density, over itself, and of a velocity, over the rms speed.

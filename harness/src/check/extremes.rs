@@ -1,5 +1,5 @@
 //! `extremes`: scenes that nobody should ask for end in a sound state or in a refusal by name, the same on every backend.
-use super::{Context, Figure, Outcome};
+use super::{Context, Metric, Outcome};
 use crate::extremes::{Fault, Verdict, cases, judge};
 use crate::failure::Failure;
 use crate::fluid::device_if_any;
@@ -23,7 +23,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     bar.finish_and_clear();
     let faults = |is: fn(&Fault) -> bool| verdicts.iter().flat_map(|v| &v.faults).filter(|fault| is(fault)).count();
     let sum = |of: fn(&Verdict) -> usize| verdicts.iter().map(of).sum::<usize>();
-    let none = |name: String, count: usize| Figure::below(name, count as f64, 0.0);
+    let none = |name: String, count: usize| Metric::below(name, count as f64, 0.0);
     let figures = vec![
         none(format!("of {} cases, those that ended otherwise", cases.len()), faults(|f| matches!(f, Fault::End(_)))),
         none(

@@ -74,7 +74,7 @@ pub(super) fn grid(dimension: Dimension, cells: u32) -> Grid {
 
 /// The particles of the fluid, those of walls and air that is not there left out, in order of their ids.
 pub(super) fn fluid(solver: &Solver<'_>) -> Vec<Particle> {
-    solver.particles().filter(|particle| !particle.wall && !particle.dormant).collect()
+    solver.particles().filter(|particle| !particle.wall && !particle.inactive).collect()
 }
 
 /// Mean of a number over things, by one fixed tree; NaN of none.

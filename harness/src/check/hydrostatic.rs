@@ -1,7 +1,7 @@
 //! `hydrostatic`: the catalogue's case H1. A tank of water settles, and its pressure must be the weight of what is above.
 use super::column::{Column, Miss, Profile};
 use super::flow::{checked, start_with, step, steps_to};
-use super::{Context, Figure, Outcome};
+use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
@@ -39,9 +39,9 @@ const QUICK_LIMIT: f64 = LIMIT * (QUICK_SPACING / SPACING) as f64;
 /// there to be compared with it, unless it has to be quick.
 const FORMS: [(WallPressure, DensityForm); 4] = [
     (WallPressure::Mirrored, DensityForm::Summation),
-    (WallPressure::QuasiFluid, DensityForm::Summation),
+    (WallPressure::Dynamic, DensityForm::Summation),
     (WallPressure::Mirrored, DensityForm::Continuity),
-    (WallPressure::QuasiFluid, DensityForm::Continuity),
+    (WallPressure::Dynamic, DensityForm::Continuity),
 ];
 const LIMITED: usize = 1;
 
@@ -67,7 +67,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         lines.push([name.clone(), off, sunk]);
         match result {
             Ok((miss, _)) if i < LIMITED => {
-                figures.push(Figure::below(format!("pressure off by, {name}"), miss.largest, limit));
+                figures.push(Metric::below(format!("pressure off by, {name}"), miss.largest, limit));
             }
             Ok(_) => {}
             Err(Failure::Step(_)) if i >= LIMITED => {}
@@ -88,7 +88,7 @@ fn settle(
     let mut scene = column.scene();
     scene.model.wall_pressure = wall;
     scene.model.density = density;
-    scene.model.hydrostatic_start = true;
+    scene.model.initialize_hydrostatic = true;
     scene.model.viscosity = Viscosity::Artificial;
     scene.fluid.alpha = ALPHA;
     scene.fluid.beta = 0.0;

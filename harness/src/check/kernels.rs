@@ -2,7 +2,7 @@
 use super::flow::larger;
 use super::lattice::kernel_called;
 use super::reference::{entry, number, rows};
-use super::{Context, Figure, Outcome, evaluation, lattice};
+use super::{Context, Metric, Outcome, evaluation, lattice};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::derive::kernel_constants::{laplacian, slope, value};
@@ -34,7 +34,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let (mut slopes, mut laplacians, mut moments) = (0.0, 0.0, 0.0);
     for kernel in Kernel::ALL.iter().copied() {
         let off = dimensions(kernel).map(|d| (integral_of(kernel, d) - 1.0).abs()).fold(0.0, larger);
-        figures.push(Figure::below(format!("integral off 1, {}", kernel.name()), off, NORMALISED));
+        figures.push(Metric::below(format!("integral off 1, {}", kernel.name()), off, NORMALISED));
         for d in [2, 3] {
             slopes = larger(slopes, slope_error(kernel, d));
             laplacians = larger(laplacians, laplacian_error(kernel, d));
@@ -44,10 +44,10 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         let constant = |d| format!("{:.6}", kernel.normalisation(d));
         lines.push([kernel.name().into(), constant(2), constant(3), format!("{off:.1e}"), spread(2), spread(3)]);
     }
-    figures.push(Figure::below("slopes against differences, all kernels", slopes, DIFFERENCES));
-    figures.push(Figure::below("Laplacians against differences, all kernels", laplacians, DIFFERENCES));
-    figures.push(Figure::below("second moment of the Laplacian off 2 d, all kernels", moments, NORMALISED));
-    figures.push(Figure::below("W at no distance against the catalogue", at_zero()?, AT_ZERO));
+    figures.push(Metric::below("slopes against differences, all kernels", slopes, DIFFERENCES));
+    figures.push(Metric::below("Laplacians against differences, all kernels", laplacians, DIFFERENCES));
+    figures.push(Metric::below("second moment of the Laplacian off 2 d, all kernels", moments, NORMALISED));
+    figures.push(Metric::below("W at no distance against the catalogue", at_zero()?, AT_ZERO));
     let mut notes =
         vec![table(["kernel", "c in 2D", "c in 3D", "integral off", "second moment of W over H^2, 2D", "3D"], lines)];
     let (more, note) = lattice::figures()?;

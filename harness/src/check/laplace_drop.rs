@@ -1,4 +1,4 @@
-//! `laplace-drop`: the catalogue's case S1. Inside of a drop at rest the pressure is higher by `sigma / R` (Laplace; in the
+//! `laplace-drop`: the catalogue's case Hinsch 2024. Inside of a drop at rest the pressure is higher by `sigma / R` (Laplace; in the
 //! plane). A disc is cut out of a lattice and calms down; the pressures of its inside and of what is around it are averaged
 //! over time. What does not calm down are spurious currents: `Ca = mu v / sigma` says how fast they are
 //! (the catalogue would like 1e-2 at most).
@@ -7,7 +7,7 @@
 //! how much of the tension is left is reported, and there the divergence of unit normals is the better curvature.
 use super::drop::{Around, Droplet, SIGMA};
 use super::flow::mean;
-use super::{Context, Figure, Outcome};
+use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::scene::SurfaceTension;
@@ -67,7 +67,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
             1 => format!("jump off sigma / R, {}", centred.title()),
             places => format!("jump off sigma / R, {}, mean of {places} places", centred.title()),
         };
-        figures.push(Figure::below(name, mean(&off, |off| *off).abs(), limit));
+        figures.push(Metric::below(name, mean(&off, |off| *off).abs(), limit));
     }
     if !context.quick {
         for model in MODELS {

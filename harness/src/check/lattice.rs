@@ -1,6 +1,6 @@
 //! Sums of kernels over lattices, against the catalogue's table: what density, gradient and Laplacian come to where the
 //! particles start.
-use super::Figure;
+use super::Metric;
 use super::reference::{entry, number, rows};
 use crate::failure::Failure;
 use crate::outcome::table;
@@ -92,7 +92,7 @@ fn rounding(word: &str) -> Result<f64, Failure> {
 ///
 /// # Errors
 /// A table that cannot be read.
-pub(super) fn figures() -> Result<(Vec<Figure>, String), Failure> {
+pub(super) fn figures() -> Result<(Vec<Metric>, String), Failure> {
     let mut worst = [0.0f64; 3];
     let mut lines = Vec::new();
     for row in rows(include_str!("../../data/lattice.csv")) {
@@ -110,7 +110,7 @@ pub(super) fn figures() -> Result<(Vec<Figure>, String), Failure> {
     let rows = lines.len();
     let names = ["density sums", "gradient sums", "Morris' Laplacian sums"];
     let figure = |(name, worst): (&str, f64)| {
-        Figure::below(format!("{name} on lattices against the catalogue, {rows} rows"), worst, LIMIT)
+        Metric::below(format!("{name} on lattices against the catalogue, {rows} rows"), worst, LIMIT)
     };
     let figures = names.into_iter().zip(worst).map(figure).collect();
     Ok((figures, table(["lattice", "kernel", "h over spacing", "density", "gradient"], lines)))

@@ -31,7 +31,7 @@ mod taylor_green;
 mod tensile;
 mod two_fluids;
 
-pub use crate::outcome::{Figure, Outcome, Sense};
+pub use crate::outcome::{Metric, Outcome, Sense};
 
 use crate::failure::Failure;
 use crate::output::{make_folder, print_json, say, write_text};
@@ -88,7 +88,7 @@ pub const STUDIES: &[Study] = &[
     },
     Study {
         name: "integrators",
-        about: "ten integrators on S0's oscillators: limits, orders, areas, and S0's tables 2.1 to 2.4 beside ours",
+        about: "ten integrators on Pirovano's oscillators: limits, orders, areas, and Pirovano's tables 2.1 to 2.4 beside ours",
         run: integrators::run,
     },
     Study {
@@ -167,7 +167,7 @@ struct All {
     name: &'static str,
     passed: bool,
     /// Those of all studies, with the study's name before each.
-    figures: Vec<Figure>,
+    figures: Vec<Metric>,
     studies: Vec<Outcome>,
 }
 
@@ -200,7 +200,7 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
 pub fn check(study: &Study, context: &Context) -> Result<Outcome, Failure> {
     match (study.run)(context) {
         Err(Failure::Step(error)) => {
-            let figure = Figure::below("steps that could not be made", 1.0, 0.0);
+            let figure = Metric::below("steps that could not be made", 1.0, 0.0);
             Ok(Outcome::new(study.name, vec![figure], vec![error.to_string()]))
         }
         done => done,
@@ -223,7 +223,7 @@ fn check_all(options: &Options, context: &Context) -> Result<bool, Failure> {
     let named = |outcome: &Outcome| {
         let name = outcome.name.clone();
         let figures = outcome.figures.clone().into_iter();
-        figures.map(move |figure| Figure { name: format!("{name}: {}", figure.name), ..figure })
+        figures.map(move |figure| Metric { name: format!("{name}: {}", figure.name), ..figure })
     };
     let figures = studies.iter().flat_map(named).collect();
     if options.json {

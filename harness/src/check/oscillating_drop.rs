@@ -11,7 +11,7 @@ use super::drop::{Around, Calm, Droplet, SIGMA, SPACING, centre, of_drop};
 use super::flow::{checked, heap_for, larger, mean, start_with, step, steps_to};
 use super::reference::{entry, number, rows};
 use super::swing::{Swing, fit, natural, theory};
-use super::{Context, Figure, Outcome};
+use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::Solver;
@@ -86,12 +86,12 @@ impl Run {
 pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let quick = context.quick;
     let (radius, limit) = if quick { (COARSE, QUICK_LIMIT) } else { (FINE, LIMIT) };
-    let mut figures = vec![Figure::below("formula against the catalogue", table_error()?, TABLE_LIMIT)];
+    let mut figures = vec![Metric::below("formula against the catalogue", table_error()?, TABLE_LIMIT)];
     let mut lines = Vec::new();
     for model in MODELS {
         let drop = Droplet::of_catalogue(model, Around::Like, radius);
         let run = swing_by_itself(context, &drop)?;
-        figures.push(Figure::below(format!("period off, {}", drop.title()), run.off().abs(), limit));
+        figures.push(Metric::below(format!("period off, {}", drop.title()), run.off().abs(), limit));
         lines.push(line(&drop, &Ok(run)));
     }
     let (radii, limit) = if quick { (QUICK_RADII, QUICK_PAIRWISE_LIMIT) } else { (RADII, PAIRWISE_LIMIT) };
@@ -108,7 +108,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         if let Some((drop, calm)) = calm.last() {
             let run = swing(context, drop, calm, sigma)?;
             let name = format!("period off that of the measured tension, {}", drop.title());
-            figures.push(Figure::below(name, run.off().abs(), limit));
+            figures.push(Metric::below(name, run.off().abs(), limit));
             lines.push(line(drop, &Ok(run)));
         }
     }

@@ -1,8 +1,8 @@
-//! `pressure-correction`: S0 section 3.2.2. Water at its real speed of sound, 1500 m/s, with the time step of an equation of
+//! `pressure-correction`: Pirovano, section 3.2.2. Water at its real speed of sound, 1500 m/s, with the time step of an equation of
 //! state at 30 m/s: fifty times what that equation would need.
 use super::column::{Column, Profile};
 use super::flow::{checked, start_with, step, steps_to};
-use super::{Context, Figure, Outcome};
+use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
@@ -55,7 +55,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     scene.fluid.dynamic_viscosity = VISCOSITY;
     scene.model.pressure_solver = PressureSolver::PressureCorrection;
     scene.model.pressure_force = PressureForce::Monaghan;
-    scene.model.hydrostatic_start = true;
+    scene.model.initialize_hydrostatic = true;
     scene.wind = Some(Wind { velocity: [0.0; 3], drag: DRAG });
     let Correction { iteration, iterations, tolerance } = scene.model.correction;
 
@@ -76,10 +76,10 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let used = solver.correction().total_iterations as f64 / solver.steps() as f64;
     let miss = profile.miss(&column);
     let figures = vec![
-        Figure::below("mean compression", mean, LIMIT),
-        Figure::below("largest compression", largest, LIMIT),
-        Figure::below("mean height lost, over itself", sunk, SINKING),
-        Figure::below("iterations per step", used, f64::from(iterations)),
+        Metric::below("mean compression", mean, LIMIT),
+        Metric::below("largest compression", largest, LIMIT),
+        Metric::below("mean height lost, over itself", sunk, SINKING),
+        Metric::below("iterations per step", used, f64::from(iterations)),
     ];
     let travelled = f64::from(SPEED_OF_SOUND) * f64::from(scene.time_step) / f64::from(column.spacing);
     let rows = [

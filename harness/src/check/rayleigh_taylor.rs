@@ -9,13 +9,13 @@ use super::flow::{checked, fluid, grid, mean, start_with, step, steps_to};
 use super::recipes::SEVERAL_FLUIDS;
 use super::reference::{entry, number, rows};
 use super::ripple::{DENSITIES, DEPTH, GRAVITY, Mode, NU, WAVE_NUMBER, formula};
-use super::{Context, Figure, Outcome};
+use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
 use millpond_core::derive::support_radius;
 use millpond_core::scene::{
-    Block, DensityForm, Dimension, Face, Fluid, InitialParticle, Kernel, ModelChoice, Periodic, PressureForce, Scene,
+    Block, DensityForm, Dimension, Face, Fluid, Formulation, InitialParticle, Kernel, Periodic, PressureForce, Scene,
     Wall, WallPressure, WallShape,
 };
 use millpond_core::{Checked, Particle, Solver};
@@ -91,8 +91,8 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let judged = growth(context, across, FORMS[0], &mode)?;
     let name = format!("growth rate off by, {across} along a wave, {}", FORMS[0].0.name());
     let mut figures = vec![
-        Figure::below("formula against the table of the catalogue", formula_error()?, FORMULA_LIMIT),
-        Figure::below(name, (judged / mode.rate - 1.0).abs(), LIMIT),
+        Metric::below("formula against the table of the catalogue", formula_error()?, FORMULA_LIMIT),
+        Metric::below(name, (judged / mode.rate - 1.0).abs(), LIMIT),
     ];
     let mut lines = vec![line(across, FORMS[0], &mode, &Ok(judged))];
     if !context.quick {
@@ -109,7 +109,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         formula(0.0)
     );
     let (risen, words) = rise(context)?;
-    figures.push(Figure::above("height that oil rose through water, over its radius", risen, RISE));
+    figures.push(Metric::above("height that oil rose through water, over its radius", risen, RISE));
     Ok(Outcome::new(NAME, figures, vec![note, table(titles, lines), words]))
 }
 
@@ -161,15 +161,15 @@ fn scene(across: u16, (density, pressure_force): Form) -> Scene {
 }
 
 /// The pressure that holds the weight is there from the start: no sound shakes the ripple.
-fn model((density, pressure_force): Form) -> ModelChoice {
-    ModelChoice {
+fn model((density, pressure_force): Form) -> Formulation {
+    Formulation {
         density,
         pressure_force,
         density_kernel: KERNEL,
         pressure_kernel: KERNEL,
         viscosity_kernel: KERNEL,
-        hydrostatic_start: true,
-        calibrated_mass: true,
+        initialize_hydrostatic: true,
+        normalize_mass: true,
         ..SEVERAL_FLUIDS
     }
 }
@@ -282,7 +282,7 @@ fn oil_in_water() -> Scene {
     let tank = WallShape::Box { low: [0.0; 3], high: [width, height, 0.0], open: [].into_iter().collect() };
     scene.walls = [Wall::still(tank)].into_iter().collect();
     // mirroring walls would give energy to what moves along them
-    scene.model = ModelChoice { suction: false, wall_pressure: WallPressure::QuasiFluid, ..model(FORMS[0]) };
+    scene.model = Formulation { negative_pressure: false, wall_pressure: WallPressure::Dynamic, ..model(FORMS[0]) };
     scene.grid = grid(Dimension::Two, 32);
     scene
 }

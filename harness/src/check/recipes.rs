@@ -1,11 +1,11 @@
 //! The formulas of the studies, every field spelled out: a study measures these, whatever the defaults become.
 use millpond_core::scene::{
-    Correction, DensityForm, EquationOfState, Evaluation, Integrator, Iteration, Kernel, ModelChoice, NearPressure,
+    Correction, DensityForm, EquationOfState, Evaluation, Formulation, Integrator, Iteration, Kernel, NearPressure,
     PressureForce, PressureSolver, SurfaceTension, Viscosity, WallPressure,
 };
 
 /// The choices of the thesis for a single fluid.
-pub(super) const THESIS: ModelChoice = ModelChoice {
+pub(super) const DENSITY_PROPORTIONAL: Formulation = Formulation {
     integrator: Integrator::ModifiedVelocityVerlet,
     reevaluate: false,
     density_kernel: Kernel::Poly6,
@@ -13,34 +13,34 @@ pub(super) const THESIS: ModelChoice = ModelChoice {
     viscosity_kernel: Kernel::Viscosity,
     evaluation: Evaluation::Direct,
     density: DensityForm::Summation,
-    hydrostatic_start: false,
-    calibrated_mass: false,
+    initialize_hydrostatic: false,
+    normalize_mass: false,
     pressure_solver: PressureSolver::EquationOfState,
     equation_of_state: EquationOfState::Tait,
     correction: Correction { iteration: Iteration::Relaxed, iterations: 20, tolerance: 0.001 },
-    suction: true,
+    negative_pressure: true,
     pressure_force: PressureForce::Mueller,
-    near_pressure: NearPressure::Thesis,
+    near_pressure: NearPressure::DensityProportional,
     viscosity: Viscosity::Mueller,
     surface_tension: SurfaceTension::Off,
     surface_threshold: 0.1,
     surface_normals: false,
-    thermal_energy: false,
+    internal_energy: false,
     variable_support: None,
     wall_pressure: WallPressure::Mirrored,
 };
 
 /// One Wendland kernel for everything, the symmetric pressure gradient, Morris' viscosity, no near pressure.
-pub(super) const WENDLAND: ModelChoice = ModelChoice {
+pub(super) const WENDLAND: Formulation = Formulation {
     density_kernel: Kernel::WendlandC2,
     pressure_kernel: Kernel::WendlandC2,
     viscosity_kernel: Kernel::WendlandC2,
     pressure_force: PressureForce::Monaghan,
     near_pressure: NearPressure::Off,
     viscosity: Viscosity::Morris,
-    ..THESIS
+    ..DENSITY_PROPORTIONAL
 };
 
 /// The same for several fluids: a density without smearing across an interface, and the force of Hu and Adams.
-pub(super) const SEVERAL_FLUIDS: ModelChoice =
-    ModelChoice { density: DensityForm::SummationAdapted, pressure_force: PressureForce::DensityWeighted, ..WENDLAND };
+pub(super) const SEVERAL_FLUIDS: Formulation =
+    Formulation { density: DensityForm::SummationAdapted, pressure_force: PressureForce::DensityWeighted, ..WENDLAND };

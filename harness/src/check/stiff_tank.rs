@@ -1,7 +1,7 @@
 //! `stiff-tank`: a column that falls over and sloshes for 5 s at a speed of sound 20 times that of its fastest flow, in steps that
-//! follow from the state (S0 section 2.3.5; S3 section 3.3, step 5).
+//! follow from the state (Pirovano, section 2.3.5; Roy, section 3.3, step 5).
 use super::flow::{fluid, larger};
-use super::{Context, Figure, Outcome};
+use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::fluid::start;
 use crate::outcome::table;
@@ -33,7 +33,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let named = load(NAME, &Changes::default())?;
     let scene = &named.checked()?;
     let end = named.file.duration * if context.quick { QUICK_SHARE } else { 1.0 };
-    let redo_above = scene.adaptive.and_then(|adaptive| adaptive.redo_above).map_or(f64::INFINITY, f64::from);
+    let reject_ratio = scene.adaptive.and_then(|adaptive| adaptive.reject_ratio).map_or(f64::INFINITY, f64::from);
     let mut heap = OwnedMemory::of(scene);
     let mut solver = start(NAME, scene, &mut heap)?;
     let before = energy(&solver);
@@ -58,21 +58,21 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     bar.finish_and_clear();
     let outside = fluid(&solver).iter().filter(|particle| !is_inside(scene, particle.position.to_array())).count();
     let figures = vec![
-        Figure::above(
+        Metric::above(
             "speed of sound over the fastest flow",
             f64::from(scene.fluid.speed_of_sound) / fastest,
             STIFFNESS,
         ),
-        Figure::below("mean density error, at most", mean, DENSITY_LIMIT),
-        Figure::below("energy gained, at most, over that at the start", gained, ENERGY_LIMIT),
-        Figure::below("particles outside of the tank", outside as f64, 0.0),
-        Figure::below("a step over what its end asks for, at most", overrun, redo_above * (1.0 + ROUNDING)),
-        Figure::below("steps held at the shortest", f64::from(solver.time_report().held), 0.0),
+        Metric::below("mean density error, at most", mean, DENSITY_LIMIT),
+        Metric::below("energy gained, at most, over that at the start", gained, ENERGY_LIMIT),
+        Metric::below("particles outside of the tank", outside as f64, 0.0),
+        Metric::below("a step over what its end asks for, at most", overrun, reject_ratio * (1.0 + ROUNDING)),
+        Metric::below("steps held at the shortest", f64::from(solver.time_report().held), 0.0),
     ];
     let rows = [
         ["steps".into(), format!("{} in {:.3} s", solver.steps(), solver.time())],
         ["time step".into(), format!("{shortest:.2e} to {longest:.2e} s")],
-        ["steps made again".into(), solver.time_report().redone.to_string()],
+        ["steps made again".into(), solver.time_report().rejected_steps.to_string()],
         ["fastest flow".into(), format!("{fastest:.2} m/s")],
     ];
     Ok(Outcome::new(NAME, figures, vec![table(["what", "value"], rows)]))

@@ -1,7 +1,7 @@
 //! `still-tank`: the catalogue's case H2. A tank that starts at rest, in the density that its weight asks for, stays so.
 use super::column::Column;
 use super::flow::{checked, rms_speed, start_with, step, steps_to};
-use super::{Context, Figure, Outcome};
+use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
@@ -61,10 +61,10 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         match rest(context, &column, density) {
             Ok(Rest { speed, lost, sunk }) => {
                 if i == 0 {
-                    figures.push(Figure::below("rms speed over sqrt(g H)", speed, limit));
+                    figures.push(Metric::below("rms speed over sqrt(g H)", speed, limit));
                     let moved = sunk * f64::from(column.spacing) / column.compression();
-                    figures.push(Figure::below("mean height moved, over its compression", moved.abs(), SINKING));
-                    figures.push(Figure::below("particles lost", lost as f64, 0.0));
+                    figures.push(Metric::below("mean height moved, over its compression", moved.abs(), SINKING));
+                    figures.push(Metric::below("particles lost", lost as f64, 0.0));
                 }
                 let speed = format!("{:.3} %", speed * 100.0);
                 lines.push([density.name().into(), speed, lost.to_string(), format!("{sunk:.2}")]);
@@ -82,7 +82,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
 fn rest(context: &Context, column: &Column, density: DensityForm) -> Result<Rest, Failure> {
     let mut scene = column.scene();
     scene.model.density = density;
-    scene.model.hydrostatic_start = true;
+    scene.model.initialize_hydrostatic = true;
     scene.model.viscosity = Viscosity::Artificial;
     scene.fluid.alpha = ALPHA;
     scene.fluid.beta = 0.0;

@@ -1,5 +1,5 @@
 //! Two fluids at rest, the lighter one over the other, row by row of the lattice that they began on.
-use super::Figure;
+use super::Metric;
 use super::flow::{fluid, larger, mean};
 use millpond_core::scene::Scene;
 use millpond_core::{Particle, Solver};
@@ -138,19 +138,19 @@ impl Rest {
         near.iter().map(|row| (row.density - 1.0).abs()).fold(least, larger)
     }
 
-    pub(super) fn figures(&self) -> Vec<Figure> {
+    pub(super) fn figures(&self) -> Vec<Metric> {
         let name = |what: &str| format!("ratio {}: {what}", self.ratio);
         vec![
-            Figure::below(name("particles beyond the interface"), self.mixed as f64, 0.0),
-            Figure::below(name("rms speed over sqrt(g H)"), self.speed, SPEED_LIMIT),
-            Figure::below(
+            Metric::below(name("particles beyond the interface"), self.mixed as f64, 0.0),
+            Metric::below(name("rms speed over sqrt(g H)"), self.speed, SPEED_LIMIT),
+            Metric::below(
                 name("pressure of a row off by, over that at the floor"),
                 self.largest_miss(),
                 PRESSURE_LIMIT,
             ),
-            Figure::below(name("step of the pressure at the interface"), self.jump().abs(), PRESSURE_LIMIT),
-            Figure::below(name("gap at the interface, off a spacing by"), (self.gap() - 1.0).abs(), GAP_LIMIT),
-            Figure::below(name("density about it over its own, off 1 by"), self.density_miss(), DENSITY_LIMIT),
+            Metric::below(name("step of the pressure at the interface"), self.jump().abs(), PRESSURE_LIMIT),
+            Metric::below(name("gap at the interface, off a spacing by"), (self.gap() - 1.0).abs(), GAP_LIMIT),
+            Metric::below(name("density about it over its own, off 1 by"), self.density_miss(), DENSITY_LIMIT),
         ]
     }
 }

@@ -7,12 +7,12 @@
 //! negative, and particles clump.
 use super::flow::{checked, fluid, grid, heap_for, mean, start_with, step, steps_to};
 use super::recipes::WENDLAND;
-use super::{Context, Figure, Outcome};
+use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::derive::support_radius;
 use millpond_core::scene::{
-    Block, DensityForm, Dimension, Fluid, InitialParticle, ModelChoice, Periodic, PressureForce, Scene,
+    Block, DensityForm, Dimension, Fluid, Formulation, InitialParticle, Periodic, PressureForce, Scene,
 };
 use millpond_core::{Checked, Solver};
 use std::f64::consts::PI;
@@ -81,7 +81,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         // at 50 x 50 a lattice is far off whatever the form: see the table
         if start == Start::Jittered || !context.quick {
             let name = format!("decay rate off by, {side} x {side}, {start:?}");
-            figures.push(Figure::below(name, decay.rate.abs(), LIMIT));
+            figures.push(Metric::below(name, decay.rate.abs(), LIMIT));
         }
         lines.push(line(side, BEST, start, &Ok(decay)));
     }
@@ -131,7 +131,7 @@ fn scene(side: u16, (density, force): (DensityForm, PressureForce)) -> Scene {
     scene.average_neighbours = AVERAGE_NEIGHBOURS;
     scene.time_step = (COURANT * support_radius(&scene) / f64::from(SPEED_OF_SOUND)) as f32;
     scene.periodic = Some(Periodic { low: [0.0; 3], high: [1.0, 1.0, 0.0], axes: [true, true, false] });
-    scene.model = ModelChoice { calibrated_mass: true, density, pressure_force: force, ..WENDLAND };
+    scene.model = Formulation { normalize_mass: true, density, pressure_force: force, ..WENDLAND };
     scene.grid = grid(Dimension::Two, 32);
     scene
 }

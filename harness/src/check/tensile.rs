@@ -1,17 +1,17 @@
-//! `tensile`: S0 test 1 (section 5.3.1). A cube of water without gravity, held together by its own suction, becomes a
+//! `tensile`: Pirovano test 1 (section 5.3.1). A cube of water without gravity, held together by its own suction, becomes a
 //! sphere; near pressure keeps its particles from clustering, and without it they do.
 use super::flow::{checked, fluid, grid, mean, start_with, step, steps_to};
-use super::recipes::THESIS;
-use super::{Context, Figure, Outcome};
+use super::recipes::DENSITY_PROPORTIONAL;
+use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
-use millpond_core::scene::{Block, Dimension, Fluid, ModelChoice, NearPressure, Scene};
+use millpond_core::scene::{Block, Dimension, Fluid, Formulation, NearPressure, Scene};
 use millpond_core::{Particle, Solver};
 
 const NAME: &str = "tensile";
 
-/// Particles along an edge, and their distance, m; neighbours and time step are those of S0 section 5.2.
+/// Particles along an edge, and their distance, m; neighbours and time step are those of Pirovano, section 5.2.
 const EDGE: u16 = 16;
 const QUICK_EDGE: u16 = 12;
 const SPACING: f32 = 0.05;
@@ -21,7 +21,7 @@ const TIME_STEP: f32 = 0.001;
 /// Pa s.
 const VISCOSITY: f32 = 10.0;
 
-/// How long it runs, s: S0 shows five. Clusters are there long before. Until 2 s the blob still swings between a cube and a
+/// How long it runs, s: Pirovano shows five. Clusters are there long before. Until 2 s the blob still swings between a cube and a
 /// star: with an edge of 12 its reach along diagonals over axes is 1.23 at 1.5 s, 1.16 at 2 s, 1.124 at 3 s, 1.108 at 4 s and
 /// 1.099 at 5 s.
 const END: f64 = 5.0;
@@ -52,19 +52,20 @@ struct Blob {
 
 pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let end = if context.quick { QUICK_END } else { END };
-    let thesis = evolve(context, NearPressure::Thesis, end)?;
+    let thesis = evolve(context, NearPressure::DensityProportional, end)?;
     let off = evolve(context, NearPressure::Off, CLUSTER_END)?;
     let [before, after] = thesis.roundness;
     let figures = vec![
-        Figure::above("closest pair over spacing, near pressure", thesis.closest, CLOSEST),
-        Figure::below("closest pair over spacing, none", off.closest, CLOSEST),
-        Figure::below("mean density off by, near pressure", thesis.density, DENSITY),
-        Figure::below("reach along diagonals over axes, at the end", after, ROUND),
-        Figure::below("the same over that of the start", after / before, 1.0),
+        Metric::above("closest pair over spacing, near pressure", thesis.closest, CLOSEST),
+        Metric::below("closest pair over spacing, none", off.closest, CLOSEST),
+        Metric::below("mean density off by, near pressure", thesis.density, DENSITY),
+        Metric::below("reach along diagonals over axes, at the end", after, ROUND),
+        Metric::below("the same over that of the start", after / before, 1.0),
     ];
-    let mut lines = vec![line(NearPressure::Thesis, end, &Ok(thesis)), line(NearPressure::Off, CLUSTER_END, &Ok(off))];
+    let mut lines =
+        vec![line(NearPressure::DensityProportional, end, &Ok(thesis)), line(NearPressure::Off, CLUSTER_END, &Ok(off))];
     if !context.quick {
-        lines.push(line(NearPressure::Article, end, &evolve(context, NearPressure::Article, end)));
+        lines.push(line(NearPressure::DoubleDensity, end, &evolve(context, NearPressure::DoubleDensity, end)));
     }
     let titles = ["near pressure", "s", "closest pair, spacings", "mean density off", "diagonals over axes"];
     Ok(Outcome::new(NAME, figures, vec![table(titles, lines)]))
@@ -88,7 +89,7 @@ fn scene(context: &Context, near_pressure: NearPressure) -> Scene {
     let block = Block { corner: [-edge / 2.0; 3], size: [edge; 3], ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, SPACING, TIME_STEP, water, block);
     scene.average_neighbours = AVERAGE_NEIGHBOURS;
-    scene.model = ModelChoice { near_pressure, ..THESIS };
+    scene.model = Formulation { near_pressure, ..DENSITY_PROPORTIONAL };
     scene.grid = grid(Dimension::Three, 16);
     scene
 }

@@ -3,17 +3,17 @@
 //!
 //! The classic density sum smears the heavy fluid's density over the nearest rows of the light one, and the light one's over
 //! the heavy one's: rows that are not compressed at all are pushed apart, or torn in as far as suction acts. The adapted
-//! forms see no other fluid in their densities (S0 section 3.4.3).
+//! forms see no other fluid in their densities (Pirovano, section 3.4.3).
 use super::flow::{checked, grid, larger, rms_speed, start_with, step, steps_to};
 use super::recipes::SEVERAL_FLUIDS;
 use super::strata::{GRAVITY, HEAVY, NEAR, Rest, Row, averaged, mixed, near, rows};
-use super::{Context, Figure, Outcome};
+use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
 use millpond_core::derive::support_radius;
 use millpond_core::scene::{
-    Block, DensityForm, Dimension, Face, Fluid, Kernel, ModelChoice, PressureForce, Scene, Viscosity, Wall, WallShape,
+    Block, DensityForm, Dimension, Face, Fluid, Formulation, Kernel, PressureForce, Scene, Viscosity, Wall, WallShape,
 };
 
 const NAME: &str = "two-fluids";
@@ -57,7 +57,7 @@ type Form = (DensityForm, PressureForce);
 /// The first one has limits; the second has the thesis' gradient, of which half of the step of the weight is missing in the
 /// rows at the interface.
 const ADAPTED: Form = (DensityForm::SummationAdapted, PressureForce::DensityWeighted);
-const THESIS: Form = (DensityForm::SummationAdapted, PressureForce::MonaghanAdapted);
+const DENSITY_PROPORTIONAL: Form = (DensityForm::SummationAdapted, PressureForce::MonaghanAdapted);
 const CLASSIC: Form = (DensityForm::Summation, PressureForce::Monaghan);
 
 /// A ratio of densities.
@@ -77,14 +77,14 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         let classic = rest(context, side, case, CLASSIC);
         figures.extend(adapted.figures());
         lines.push(line(case, ADAPTED, Ok(&adapted)));
-        lines.push(line(case, THESIS, rest(context, side, case, THESIS).as_ref()));
+        lines.push(line(case, DENSITY_PROPORTIONAL, rest(context, side, case, DENSITY_PROPORTIONAL).as_ref()));
         lines.push(line(case, CLASSIC, classic.as_ref()));
         let smeared = start(&scene(side, case.ratio, CLASSIC), side)?;
         profiles.push(profile(case, &smeared, &adapted, classic.as_ref().ok()));
     }
     for form in [ADAPTED, CLASSIC] {
         let name = format!("hashes that differ, two labels of one fluid, {}", form.0.name());
-        figures.push(Figure::below(name, labels(context, side, form)?, 0.0));
+        figures.push(Metric::below(name, labels(context, side, form)?, 0.0));
     }
     let titles = [
         "ratio",
@@ -164,14 +164,14 @@ fn scene(side: u16, ratio: f32, (density, pressure_force): Form) -> Scene {
     scene.average_neighbours = neighbours;
     scene.time_step = (COURANT * support_radius(&scene) / f64::from(light.speed_of_sound)) as f32;
     scene.gravity = [0.0, -GRAVITY, 0.0];
-    scene.model = ModelChoice {
+    scene.model = Formulation {
         density,
         pressure_force,
         viscosity: Viscosity::Artificial,
         // under the lid the weight leaves no pressure: what pulls there pulls particles into the wall
-        suction: false,
-        hydrostatic_start: true,
-        calibrated_mass: true,
+        negative_pressure: false,
+        initialize_hydrostatic: true,
+        normalize_mass: true,
         density_kernel: kernel,
         pressure_kernel: kernel,
         viscosity_kernel: kernel,

@@ -60,7 +60,7 @@ pub fn cases() -> Result<Vec<Case>, Failure> {
     for &viscosity in Viscosity::ALL {
         add(&format!("viscosity {viscosity:?}, heat"), &|s| {
             (s.model.viscosity, s.model.density) = (viscosity, DensityForm::SummationAdapted);
-            (s.model.thermal_energy, s.fluid.velocity_exchange) = (true, 0.1);
+            (s.model.internal_energy, s.fluid.velocity_exchange) = (true, 0.1);
         });
     }
     for evaluation in [Evaluation::Table, Evaluation::SquaredTable] {

@@ -3,8 +3,8 @@ use super::settings::CELLS;
 use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
 use millpond_core::scene::{
-    Adaptive, Air, FieldLattice, Fluid, Periodic, Plasticity, Scene, SupportRange, SurfaceTension, Wall, WallShape,
-    Wind,
+    AccelerationField, AdaptiveTimeStep, Air, Fluid, Periodic, Plasticity, Scene, SupportRange, SurfaceTension, Wall,
+    WallShape, Wind,
 };
 
 /// Particles of a case, and steps, if it starts.
@@ -23,8 +23,8 @@ const NUMBERS: &[(&str, Number)] = &[
     ("ambient_density", |s| Some(&mut s.ambient_density)),
     ("wind.velocity", |s| wind(s).velocity.first_mut()),
     ("wind.drag", |s| Some(&mut wind(s).drag)),
-    ("field.low", |s| field(s).low.first_mut()),
-    ("field.spacing", |s| Some(&mut field(s).spacing)),
+    ("acceleration_field.low", |s| field(s).low.first_mut()),
+    ("acceleration_field.spacing", |s| Some(&mut field(s).spacing)),
     ("fluid.rest_density", |s| Some(&mut s.fluid.rest_density)),
     ("fluid.speed_of_sound", |s| Some(&mut s.fluid.speed_of_sound)),
     ("fluid.average_neighbours", |s| Some(s.fluid.average_neighbours.get_or_insert(20.0))),
@@ -39,7 +39,7 @@ const NUMBERS: &[(&str, Number)] = &[
     ("fluid.xsph", |s| Some(&mut s.fluid.xsph)),
     ("fluid.near_stiffness", |s| Some(s.fluid.near_stiffness.get_or_insert(1.0))),
     ("fluid.heat_gain", |s| Some(&mut s.fluid.heat_gain)),
-    ("fluid.thermal_energy", |s| Some(&mut heated(s).thermal_energy)),
+    ("fluid.internal_energy", |s| Some(&mut heated(s).internal_energy)),
     ("fluid.colour", |s| s.fluid.colour.get_or_insert([0.0; 3]).first_mut()),
     ("other_fluids.rest_density", |s| Some(&mut other(s)?.rest_density)),
     ("other_fluids.speed_of_sound", |s| Some(&mut other(s)?.speed_of_sound)),
@@ -50,7 +50,7 @@ const NUMBERS: &[(&str, Number)] = &[
     ("blocks.dynamic_viscosity", |s| Some(s.blocks.first_mut()?.dynamic_viscosity.get_or_insert(1.0))),
     ("container.low", |s| s.container.as_mut()?.low.get_mut(1)),
     ("container.high", |s| s.container.as_mut()?.high.get_mut(1)),
-    ("container.bounce", |s| Some(&mut s.container.as_mut()?.bounce)),
+    ("container.restitution", |s| Some(&mut s.container.as_mut()?.restitution)),
     ("container.slip", |s| Some(&mut s.container.as_mut()?.slip)),
     ("walls.low", |s| Some(&mut wall(s)?.0[0])),
     ("walls.high", |s| Some(&mut wall(s)?.1[0])),
@@ -72,8 +72,8 @@ const NUMBERS: &[(&str, Number)] = &[
     ("adaptive.viscosity", |s| adaptive(s).viscosity.as_mut()),
     ("adaptive.smallest", |s| Some(&mut adaptive(s).smallest)),
     ("adaptive.largest", |s| Some(&mut adaptive(s).largest)),
-    ("adaptive.growth", |s| Some(&mut adaptive(s).growth)),
-    ("adaptive.redo_above", |s| Some(adaptive(s).redo_above.get_or_insert(1.0))),
+    ("adaptive.max_growth", |s| Some(&mut adaptive(s).max_growth)),
+    ("adaptive.reject_ratio", |s| Some(adaptive(s).reject_ratio.get_or_insert(1.0))),
     ("stiffness_for_time_step", |s| Some(s.stiffness_for_time_step.get_or_insert(0.2))),
     ("model.variable_support.smallest", |s| Some(&mut range(s).smallest)),
     ("model.variable_support.largest", |s| Some(&mut range(s).largest)),
@@ -119,8 +119,8 @@ fn wind(scene: &mut Scene) -> &mut Wind {
     scene.wind.get_or_insert(Wind { velocity: [1.0, 0.0, 0.0], drag: 1.0 })
 }
 
-fn field(scene: &mut Scene) -> &mut FieldLattice {
-    scene.field.get_or_insert(FieldLattice { low: [0.0; 3], spacing: 1.0, counts: [4, 4, 1] })
+fn field(scene: &mut Scene) -> &mut AccelerationField {
+    scene.acceleration_field.get_or_insert(AccelerationField { low: [0.0; 3], spacing: 1.0, counts: [4, 4, 1] })
 }
 
 fn pulled(scene: &mut Scene) -> &mut Fluid {
@@ -129,7 +129,7 @@ fn pulled(scene: &mut Scene) -> &mut Fluid {
 }
 
 fn heated(scene: &mut Scene) -> &mut Fluid {
-    scene.model.thermal_energy = true;
+    scene.model.internal_energy = true;
     &mut scene.fluid
 }
 
@@ -169,7 +169,7 @@ fn air(scene: &mut Scene) -> &mut Air {
     scene.air.get_or_insert(Air { fluid: 1, capacity: 20, threshold: 0.3, minimum_density: 0.1 })
 }
 
-fn adaptive(scene: &mut Scene) -> &mut Adaptive {
+fn adaptive(scene: &mut Scene) -> &mut AdaptiveTimeStep {
     scene.adaptive.get_or_insert_default()
 }
 

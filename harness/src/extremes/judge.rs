@@ -1,7 +1,7 @@
 //! Runs a case on every backend and says what came of it.
 use super::{Case, End, Run};
 use crate::failure::Failure;
-use crate::outcome::Figure;
+use crate::outcome::Metric;
 use crate::snapshot::Snapshot;
 use millpond_core::OwnedMemory;
 use millpond_core::scene::InitialParticle;
@@ -132,8 +132,8 @@ fn outcome(case: &Case, ended: &Ended) -> Result<(String, Option<Fault>), Failur
             let none = not_finite(&ended.end);
             // from a state with numbers that are none nothing more can be measured
             let figures =
-                if none == 0 { measure.figures(&run)? } else { vec![Figure::below("no numbers", none as f64, 0.0)] };
-            for Figure { name, value, .. } in &figures {
+                if none == 0 { measure.figures(&run)? } else { vec![Metric::below("no numbers", none as f64, 0.0)] };
+            for Metric { name, value, .. } in &figures {
                 came += &format!("; {name} {value:.1e}");
             }
             figures.iter().all(|figure| figure.ok)

@@ -1,8 +1,8 @@
 //! What a state that is reported as good is held against.
 use super::Run;
-use crate::census::census;
 use crate::failure::Failure;
-use crate::outcome::Figure;
+use crate::outcome::Metric;
+use crate::state_summary::summarize;
 use crate::warnings::{gained, warnings};
 
 /// Of the way that a particle falls (the catalogue's X10).
@@ -37,20 +37,20 @@ impl Measure {
     ///
     /// # Errors
     /// A state that no step could start from.
-    pub(super) fn figures(self, run: &Run<'_>) -> Result<Vec<Figure>, Failure> {
-        let moved = || Figure::below("moved", moved(run) as f64, 0.0);
-        let grown = || Ok::<_, Failure>(Figure::below("energy grown by", growth(run)?, GROWTH));
-        let warnings = |said: usize| Figure::above("warnings", said as f64, 1.0);
+    pub(super) fn figures(self, run: &Run<'_>) -> Result<Vec<Metric>, Failure> {
+        let moved = || Metric::below("moved", moved(run) as f64, 0.0);
+        let grown = || Ok::<_, Failure>(Metric::below("energy grown by", growth(run)?, GROWTH));
+        let warnings = |said: usize| Metric::above("warnings", said as f64, 1.0);
         Ok(match self {
             Measure::Finite => Vec::new(),
-            Measure::Falls => vec![Figure::below("off free fall by", off_fall(run), FALL)],
+            Measure::Falls => vec![Metric::below("off free fall by", off_fall(run), FALL)],
             Measure::Stays => vec![moved()],
-            Measure::Rests => vec![moved(), Figure::below("drifting", drifting(run) as f64, 0.0)],
-            Measure::Contained => vec![Figure::below("behind walls", outside(run) as f64, 0.0), grown()?],
+            Measure::Rests => vec![moved(), Metric::below("drifting", drifting(run) as f64, 0.0)],
+            Measure::Contained => vec![Metric::below("behind walls", outside(run) as f64, 0.0), grown()?],
             Measure::Subsonic => {
-                let fastest = census(run.scene, run.end)?.fastest;
+                let fastest = summarize(run.scene, run.end)?.fastest;
                 let sound = f64::from(run.scene.fluid.speed_of_sound);
-                vec![Figure::below("fastest over sound", fastest / sound, 1.0)]
+                vec![Metric::below("fastest over sound", fastest / sound, 1.0)]
             }
             Measure::Honest => match said(run)? {
                 0 => vec![grown()?],
@@ -95,14 +95,14 @@ fn outside(run: &Run<'_>) -> usize {
 
 /// Warnings that `run` would give.
 fn said(run: &Run<'_>) -> Result<usize, Failure> {
-    let (start, end) = (census(run.scene, run.start)?, census(run.scene, run.end)?);
+    let (start, end) = (summarize(run.scene, run.start)?, summarize(run.scene, run.end)?);
     let scene = run.scene.check().map_err(|error| Failure::Scene { origin: "warnings".into(), error })?;
     Ok(warnings(&scene, &end, 0).len() + usize::from(gained(run.scene, &start, &end).is_some()))
 }
 
 /// By how much mechanical energy grew, over what was in motion or fell.
 fn growth(run: &Run<'_>) -> Result<f64, Failure> {
-    let (start, end) = (census(run.scene, run.start)?.energies, census(run.scene, run.end)?.energies);
+    let (start, end) = (summarize(run.scene, run.start)?.energies, summarize(run.scene, run.end)?.energies);
     let fell = start.potential - end.potential;
     let grown = end.kinetic - start.kinetic - fell;
     // of nothing nothing grows

@@ -90,7 +90,7 @@ fn no_numbers(scene: &Scene) -> Vec<Case> {
     let mass = End::Refused(|e| matches!(e, SceneError::NotPositive { field: "mass of a particle", .. }));
     // masses differ where the weight of the fluid above is in them
     let mut weighed = scene.clone();
-    weighed.model.hydrostatic_start = true;
+    weighed.model.initialize_hydrostatic = true;
     let mut cases = Vec::new();
     for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         let mut case = |what: &str, place: InitialParticle, end| {

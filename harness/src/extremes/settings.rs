@@ -23,7 +23,7 @@ pub fn cases() -> Result<Vec<Case>, Failure> {
     // jitter and sums that are not 1 would put energy into the pressure at the start, and take it out again
     let mut dam = built_in("dam-break-2d", PARTICLES)?;
     dam.grid.cells = CELLS;
-    dam.model.calibrated_mass = true;
+    dam.model.normalize_mass = true;
     dam.blocks.iter_mut().for_each(|block| block.jitter = 0.0);
     let mut cube = built_in("thesis-cube", PARTICLES)?;
     cube.grid.cells = CELLS;
@@ -72,11 +72,11 @@ fn supports(dam: &Scene) -> Vec<Case> {
     // a tenth of a particle, and ten times the radius
     let alone = changed(dam, |s| {
         s.average_neighbours = 0.1;
-        s.model.calibrated_mass = false;
+        s.model.normalize_mass = false;
         s.container = None;
     });
     let wide = changed(dam, |s| s.average_neighbours *= 100.0);
-    let wide = changed(&wide, |s| s.model.calibrated_mass = false);
+    let wide = changed(&wide, |s| s.model.normalize_mass = false);
     let lists = changed(&wide, |s| s.grid.structure = GridStructure::CellLists { places: 16 });
     let full = End::Refused(
         |e| matches!(e, SceneError::FirstStep(StepError::CellFull { count, capacity: 16, step: 1, .. }) if *count > 16),
@@ -92,7 +92,7 @@ fn supports(dam: &Scene) -> Vec<Case> {
 fn viscosities(dam: &Scene) -> Vec<Case> {
     let none = changed(dam, |s| s.fluid.dynamic_viscosity = 0.0);
     let mut cases = vec![Case::of_scene("no viscosity", none, STEPS, End::Either(Measure::Honest))];
-    for viscosity in [Viscosity::Mueller, Viscosity::Morris, Viscosity::Dotted] {
+    for viscosity in [Viscosity::Mueller, Viscosity::Morris, Viscosity::MonaghanGingold] {
         for mu in [1e3, 1e9] {
             let scene = changed(dam, |s| {
                 s.model.viscosity = viscosity;

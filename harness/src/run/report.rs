@@ -1,6 +1,6 @@
 //! What `run` has to say.
-use crate::census::{FirstLast, MeanMax};
-use crate::scenes::Named;
+use crate::scenes::LoadedScene;
+use crate::state_summary::{FirstLast, MeanMax};
 use crate::timing::Milliseconds;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -56,12 +56,12 @@ pub struct TimeSteps {
     /// The last, s.
     pub last: f64,
     /// Steps that were undone and made again, shorter.
-    pub redone: u32,
+    pub rejected_steps: u32,
     /// Steps that should have been shorter than the shortest allowed.
     pub held: u32,
 }
 
-/// Courant numbers: what [`Adaptive`](millpond_core::scene::Adaptive) limits.
+/// Courant numbers: what [`AdaptiveTimeStep`](millpond_core::scene::AdaptiveTimeStep) limits.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Courant {
     /// `v dt / H` of the fastest particle.
@@ -116,7 +116,7 @@ pub struct Air {
 
 /// The outcome as a page.
 #[must_use]
-pub fn report(named: &Named, outcome: &Outcome) -> String {
+pub fn report(named: &LoadedScene, outcome: &Outcome) -> String {
     let o = outcome;
     let mut out = format!("# {}: {}\n\n", o.scene, named.file.about);
     out += "| what | value |\n| --- | --- |\n";
@@ -125,9 +125,9 @@ pub fn report(named: &Named, outcome: &Outcome) -> String {
     row("particles", o.particles.to_string());
     row("steps", format!("{} ({:.3} s simulated, {:.1} s here)", o.steps, o.simulated_s, o.wall_s));
     row("ms a step", format!("{:.2} at least, {:.2} median", o.ms_per_step.min, o.ms_per_step.median));
-    let TimeSteps { smallest, largest, last, redone, .. } = o.time_step;
-    if smallest < largest || redone > 0 {
-        let words = format!("{smallest:.2e} to {largest:.2e} s, the last {last:.2e} s, {redone} made again");
+    let TimeSteps { smallest, largest, last, rejected_steps, .. } = o.time_step;
+    if smallest < largest || rejected_steps > 0 {
+        let words = format!("{smallest:.2e} to {largest:.2e} s, the last {last:.2e} s, {rejected_steps} made again");
         row("time step", words);
     }
     let Courant { speed, acceleration, sound, viscosity } = o.courant;

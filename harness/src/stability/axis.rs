@@ -20,7 +20,7 @@ pub struct Axis {
 pub(super) type Choice = Vec<(String, String)>;
 
 /// How a value gets into a scene.
-enum Way {
+enum AxisSetter {
     /// A field, as by `--set`.
     Field(&'static str),
     /// The same, where the scene has a use for it.
@@ -32,65 +32,70 @@ enum Way {
 }
 
 /// An axis with a short name.
-struct Known {
+struct KnownAxis {
     name: &'static str,
     /// What it is called in a picture.
     title: &'static str,
     /// Its values where none are given.
     values: fn() -> Vec<String>,
-    way: Way,
+    way: AxisSetter,
 }
 
 /// The axes with short names, in the order in which they get into a scene: a ratio of densities follows the speed of sound.
-const KNOWN: &[Known] = &[
-    Known { name: "integrator", title: "integrator", values: integrators, way: Way::Field("model.integrator") },
-    Known {
+const KNOWN: &[KnownAxis] = &[
+    KnownAxis {
+        name: "integrator",
+        title: "integrator",
+        values: integrators,
+        way: AxisSetter::Field("model.integrator"),
+    },
+    KnownAxis {
         name: "equation_of_state",
         title: "equation of state",
         values: equations_of_state,
-        way: Way::FieldIf("model.equation_of_state", has_equation_of_state),
+        way: AxisSetter::FieldIf("model.equation_of_state", has_equation_of_state),
     },
-    Known {
+    KnownAxis {
         name: "average_neighbours",
         title: "particles per support",
         values: || words("16,24,32,48,64"),
-        way: Way::Number(average_neighbours),
+        way: AxisSetter::Number(average_neighbours),
     },
-    Known {
+    KnownAxis {
         name: "speed_of_sound",
         title: "speed of sound, m/s",
         values: || words("10,30,100,300,1500"),
-        way: Way::NumberIf(speed_of_sound),
+        way: AxisSetter::NumberIf(speed_of_sound),
     },
-    Known {
+    KnownAxis {
         name: "stiffness",
         title: "stiffness k, Pa",
         values: || words("1e3,1e4,1e5,1e6,1e7"),
-        way: Way::Number(stiffness),
+        way: AxisSetter::Number(stiffness),
     },
-    Known {
+    KnownAxis {
         name: "viscosity",
         title: "dynamic viscosity, Pa s",
         values: || words("0,1,10,100,1000"),
-        way: Way::NumberIf(viscosity),
+        way: AxisSetter::NumberIf(viscosity),
     },
-    Known {
+    KnownAxis {
         name: "density_ratio",
         title: "density of the second fluid over the first's",
         values: || words("1,0.1,0.01,0.001"),
-        way: Way::NumberIf(density_ratio),
+        way: AxisSetter::NumberIf(density_ratio),
     },
-    Known {
+    KnownAxis {
         name: "drop_speed",
         title: "drop speed, m/s",
         values: || words("1,5,10,20,50"),
-        way: Way::NumberIf(drop_speed),
+        way: AxisSetter::NumberIf(drop_speed),
     },
-    Known {
+    KnownAxis {
         name: TIME_STEP,
         title: "time step, s",
         values: || words("1e-4,3e-4,1e-3,3e-3,1e-2"),
-        way: Way::Field("scene.time_step"),
+        way: AxisSetter::Field("scene.time_step"),
     },
 ];
 
@@ -195,13 +200,13 @@ pub(super) fn choose(file: &SceneFile, choice: &Choice) -> Result<SceneFile, Fai
                 }
                 file = changed;
             }
-            Some(Way::Field(field)) => file = with(&file, field, value).map_err(wrong)?,
-            Some(Way::FieldIf(field, has_use)) => {
+            Some(AxisSetter::Field(field)) => file = with(&file, field, value).map_err(wrong)?,
+            Some(AxisSetter::FieldIf(field, has_use)) => {
                 has_use(&file.scene).map_err(|what| wrong(what.into()))?;
                 file = with(&file, field, value).map_err(wrong)?;
             }
-            Some(Way::Number(put)) => put(&mut file.scene, number().map_err(wrong)?),
-            Some(Way::NumberIf(put)) => {
+            Some(AxisSetter::Number(put)) => put(&mut file.scene, number().map_err(wrong)?),
+            Some(AxisSetter::NumberIf(put)) => {
                 put(&mut file.scene, number().map_err(wrong)?).map_err(|what| wrong(what.into()))?;
             }
         }
@@ -239,7 +244,7 @@ fn stiffness(scene: &mut Scene, value: f32) {
 
 /// Of everything that flows, blocks with a viscosity of their own too.
 fn viscosity(scene: &mut Scene, value: f32) -> Result<(), &'static str> {
-    if matches!(scene.model.viscosity, Viscosity::Artificial | Viscosity::Exchange) {
+    if matches!(scene.model.viscosity, Viscosity::Artificial | Viscosity::VelocityExchange) {
         return Err("the scene's model.viscosity takes none");
     }
     each_fluid(scene, |fluid| fluid.dynamic_viscosity = value);

@@ -109,7 +109,7 @@ impl Judge {
     pub(super) fn new(scene: &Checked<'_>, solver: &Solver<'_>) -> Judge {
         let scale = driven_by(scene).is_none().then(|| scale(scene, solver));
         // a box that never held all of the fluid loses none of it
-        let fluid = || solver.particles().filter(|particle| !particle.wall && !particle.dormant);
+        let fluid = || solver.particles().filter(|particle| !particle.wall && !particle.inactive);
         let holds = |bound: &Bound| !fluid().any(|particle| bound.is_outside(particle.position.to_array(), 0.0));
         let bounds = bounds(scene).into_iter().filter(holds).collect();
         Judge { scale, least: total(scene, solver), bounds }
@@ -143,7 +143,7 @@ impl Judge {
     /// Share of the fluid that is outside by more than a margin.
     fn lost(&self, solver: &Solver<'_>, margin: f64) -> f64 {
         let (mut lost, mut all) = (0u64, 0u64);
-        for particle in solver.particles().filter(|particle| !particle.wall && !particle.dormant) {
+        for particle in solver.particles().filter(|particle| !particle.wall && !particle.inactive) {
             let outside = |bound: &Bound| bound.is_outside(particle.position.to_array(), margin);
             lost += u64::from(self.bounds.iter().any(outside));
             all += 1;
@@ -212,7 +212,7 @@ pub(super) fn classify(scene: &Scene, time: f64, most: u64, mut watch: impl FnMu
 mod tests {
     use super::*;
     use crate::scenes::{Changes, load};
-    use millpond_core::scene::Adaptive;
+    use millpond_core::scene::AdaptiveTimeStep;
 
     /// What becomes of `still-tank`, whose sound crosses its support in 2.3 ms, in steps of so many seconds.
     fn tank(time_step: f32, most: u64) -> Verdict {
@@ -231,7 +231,7 @@ mod tests {
     fn what_cannot_run_or_takes_too_long_is_told_apart() {
         assert!(matches!(tank(-1.0, 10_000), Verdict::Refused(_)));
         let mut scene = load("still-tank", &Changes::default()).expect("it is built in").file.scene;
-        scene.adaptive = Some(Adaptive::default());
+        scene.adaptive = Some(AdaptiveTimeStep::default());
         assert!(matches!(classify(&scene, 0.2, 10_000, |_| ()).verdict, Verdict::Refused(_)));
         assert_eq!(tank(1e-3, 100), Verdict::TooManySteps(TooManySteps { needed: 200, most: 100 }));
     }

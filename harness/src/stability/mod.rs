@@ -27,7 +27,7 @@ use crate::pool::Pool;
 use crate::scenes::{SceneFile, load};
 use axis::{choices, choose, parse_all};
 use point::{Limits, Point};
-use resume::Ledger;
+use resume::ResumeLog;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -161,9 +161,9 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
     let ledger = match &common.out {
         Some(folder) => {
             make_folder(folder)?;
-            Ledger::open(&folder.join("stability.jsonl"), options.fresh)?
+            ResumeLog::open(&folder.join("stability.jsonl"), options.fresh)?
         }
-        None => Ledger::default(),
+        None => ResumeLog::default(),
     };
     let bar = progress(&format!("stability {}", base.name), points.len() as u64);
     let limits = Limits { seconds, most_steps: options.most_steps };

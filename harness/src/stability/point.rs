@@ -2,7 +2,7 @@
 use super::axis::{Choice, TIME_STEP};
 use super::bisect;
 use super::classify::{Broken, CRITERIA, Criterion, TooManySteps, Trial, Verdict, classify};
-use super::resume::{Ledger, key};
+use super::resume::{ResumeLog, key};
 use super::{Courant, Outcome, Run};
 use crate::energy::fastest_sound;
 use crate::failure::Failure;
@@ -53,7 +53,7 @@ impl Limits {
     ///
     /// # Errors
     /// What the system says of the file.
-    pub(super) fn run(self, point: &Point, ledger: &Ledger) -> Result<Run, Failure> {
+    pub(super) fn run(self, point: &Point, ledger: &ResumeLog) -> Result<Run, Failure> {
         let pairs: Vec<String> = point.choice.iter().map(|(name, value)| format!("{name}={value}")).collect();
         let label = pairs.join(", ");
         // another version may step and judge in another way
@@ -230,7 +230,7 @@ mod tests {
         let mut scene =
             crate::scenes::load("still-tank", &crate::scenes::Changes::default()).expect("built in").file.scene;
         scene.fluid.rest_density = -1.0;
-        let run = limits.run(&Point { choice: Choice::new(), scene }, &Ledger::default()).expect("it has no file");
+        let run = limits.run(&Point { choice: Choice::new(), scene }, &ResumeLog::default()).expect("it has no file");
         assert_eq!((run.outcome, run.too_long), (Outcome::Refused, false));
         assert!(run.detail.contains("rest_density is -1"), "{}", run.detail);
     }

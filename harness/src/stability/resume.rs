@@ -18,17 +18,17 @@ struct Line<R> {
 
 /// The points that are finished.
 #[derive(Debug, Default)]
-pub(super) struct Ledger {
+pub(super) struct ResumeLog {
     known: BTreeMap<String, Run>,
     file: Option<(PathBuf, Mutex<File>)>,
 }
 
-impl Ledger {
+impl ResumeLog {
     /// Of a file, which is made where it is not there; `fresh` forgets what it holds.
     ///
     /// # Errors
     /// What the system says.
-    pub(super) fn open(path: &Path, fresh: bool) -> Result<Ledger, Failure> {
+    pub(super) fn open(path: &Path, fresh: bool) -> Result<ResumeLog, Failure> {
         let text = match std::fs::read(path) {
             Ok(bytes) if !fresh => String::from_utf8_lossy(&bytes).into_owned(),
             Err(error) if error.kind() != ErrorKind::NotFound => return Err(Failure::file(path)(error)),
@@ -43,7 +43,7 @@ impl Ledger {
             // what was cut off stays a line of its own, and the next one is whole
             file.write_all(b"\n").map_err(Failure::file(path))?;
         }
-        Ok(Ledger { known: read(&text), file: Some((path.to_owned(), Mutex::new(file))) })
+        Ok(ResumeLog { known: read(&text), file: Some((path.to_owned(), Mutex::new(file))) })
     }
 
     /// A finished point, if it is.
@@ -106,19 +106,19 @@ mod tests {
     fn a_line_that_was_cut_off_is_none() {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("stability.jsonl");
-        let ledger = Ledger::open(&path, false).expect("it can be made");
+        let ledger = ResumeLog::open(&path, false).expect("it can be made");
         ledger.add("a #1", &run("a")).expect("it can be written");
         ledger.add("b #1", &run("b")).expect("it can be written");
         let text = std::fs::read_to_string(&path).expect("it is there");
         std::fs::write(&path, &text[..text.len() - 9]).expect("it can be cut");
 
-        let ledger = Ledger::open(&path, false).expect("it can be read");
+        let ledger = ResumeLog::open(&path, false).expect("it can be read");
         assert_eq!((ledger.find("a #1"), ledger.find("b #1")), (Some(&run("a")), None));
         ledger.add("c #1", &run("c")).expect("it can be written");
-        let ledger = Ledger::open(&path, false).expect("it can be read");
+        let ledger = ResumeLog::open(&path, false).expect("it can be read");
         assert!(ledger.find("c #1").is_some(), "what follows the cut is whole");
         assert!(ledger.find("a #2").is_none(), "another hash is another point");
-        assert!(Ledger::open(&path, true).expect("it can be emptied").find("a #1").is_none());
+        assert!(ResumeLog::open(&path, true).expect("it can be emptied").find("a #1").is_none());
     }
 
     #[test]

@@ -1,5 +1,5 @@
-//! S1's analysis (section 7): a pillar of fluid in a narrow tower, its mean density error over time for three stiffnesses and
-//! for three time steps (S1's figures 7.2 and 7.3).
+//! Hinsch's analysis (section 7): a pillar of fluid in a narrow tower, its mean density error over time for three stiffnesses and
+//! for three time steps (Hinsch's figures 7.2 and 7.3).
 use super::classify::{Trial, Verdict, classify};
 use super::{Common, Outcome};
 use crate::energy::fastest_sound;
@@ -8,7 +8,7 @@ use crate::output::seconds as readable;
 use crate::output::{deliver, make_folder, progress, write_json};
 use crate::plot::{Line, line_plot};
 use crate::pool::Pool;
-use crate::scenes::Named;
+use crate::scenes::LoadedScene;
 use millpond_core::Solver;
 use millpond_core::hash::tree_sum;
 use millpond_core::scene::Scene;
@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 /// The suite, and its scene.
 pub(super) const NAME: &str = "tower";
 
-/// Pa; S1 gives no numbers. The floor is compressed by 7, 2.3 and 0.7 %.
+/// Pa; Hinsch 2024 gives no numbers. The floor is compressed by 7, 2.3 and 0.7 %.
 const STIFFNESSES: [f32; 3] = [2e4, 6e4, 2e5];
 
 /// s. Sound crosses 0.05, 0.1 and 0.2 of the support in a step, with the stiffness in the middle.
@@ -76,7 +76,7 @@ struct Run {
 /// A field that the suite sets itself, files that cannot be written.
 pub(super) fn execute(
     common: &Common,
-    base: &Named,
+    base: &LoadedScene,
     seconds: f64,
     most_steps: u64,
     pool: &Pool,
@@ -152,9 +152,9 @@ fn height(scene: &Scene) -> f64 {
     scene.blocks.iter().map(|block| f64::from(block.size[1])).sum()
 }
 
-/// Relative error of the mean density of the fluid (S1 section 7).
+/// Relative error of the mean density of the fluid (Hinsch 2024, section 7).
 fn error(scene: &Scene, solver: &Solver<'_>) -> f64 {
-    let fluid: Vec<f64> = solver.particles().filter(|p| !p.wall && !p.dormant).map(|p| f64::from(p.density)).collect();
+    let fluid: Vec<f64> = solver.particles().filter(|p| !p.wall && !p.inactive).map(|p| f64::from(p.density)).collect();
     tree_sum(fluid.len(), &|i| fluid[i]) / fluid.len() as f64 / f64::from(scene.fluid.rest_density) - 1.0
 }
 
@@ -199,7 +199,7 @@ fn by_step(runs: &[Run]) -> Vec<&Run> {
     of_figure(runs, |(stiffness, _)| stiffness == MIDDLE.0)
 }
 
-/// What the series show, beside what S1 says of its own.
+/// What the series show, beside what Hinsch 2024 says of its own.
 fn findings(runs: &[Run], seconds: f64) -> Vec<String> {
     let listed = |runs: &[&Run], number: fn(&Run) -> Option<f64>, show: fn(f64) -> String| -> String {
         let all: Vec<String> = runs.iter().map(|run| number(run).map_or_else(|| "none".into(), show)).collect();
@@ -209,7 +209,7 @@ fn findings(runs: &[Run], seconds: f64) -> Vec<String> {
     let (stiff, steps) = (by_stiffness(runs), by_step(runs));
     let errors: Vec<f64> = stiff.iter().filter_map(|run| run.error).collect();
     let falls = errors.len() == stiff.len() && errors.windows(2).all(|pair| pair[1] < pair[0]);
-    let verdict = if falls { "as S1 finds: a larger k holds the density better" } else { "not in order of k" };
+    let verdict = if falls { "as Hinsch 2024 finds: a larger k holds the density better" } else { "not in order of k" };
     let first = format!(
         "Over the second half of {seconds} s the density is off by {} for k = {} Pa, {verdict}.",
         listed(&stiff, |run| run.error, percent),
@@ -222,7 +222,7 @@ fn findings(runs: &[Run], seconds: f64) -> Vec<String> {
             (periods.iter().fold(f64::INFINITY, |a, b| a.min(*b)), periods.iter().fold(0.0f64, |a, b| a.max(*b)));
         let apart = (high / low - 1.0) * 100.0;
         let verdict = if apart < 10.0 {
-            "the lower frequency that S1 sees with smaller steps is one per step, and in seconds the pillar swings alike"
+            "the lower frequency that Hinsch 2024 sees with smaller steps is one per step, and in seconds the pillar swings alike"
         } else {
             "the time step changes the oscillation itself"
         };
@@ -239,7 +239,7 @@ fn findings(runs: &[Run], seconds: f64) -> Vec<String> {
     found
 }
 
-/// S1's two figures, the second of them over steps as over seconds.
+/// Hinsch's two figures, the second of them over steps as over seconds.
 fn pictures(folder: &Path, runs: &[Run]) -> Result<Vec<PathBuf>, Failure> {
     let line = |run: &Run, label: String, unit: f64| {
         let points = run.series.iter().map(|[time, error]| [time / unit, *error]).collect();
@@ -267,7 +267,7 @@ fn pictures(folder: &Path, runs: &[Run]) -> Result<Vec<PathBuf>, Failure> {
 }
 
 fn words(tower: &Tower) -> String {
-    let mut out = format!("# {NAME}: the density of a pillar over {} s (S1 section 7)\n\n", tower.time_s);
+    let mut out = format!("# {NAME}: the density of a pillar over {} s (Hinsch 2024, section 7)\n\n", tower.time_s);
     out += "| run | outcome | density error | period, s | 4 H / c, s | period, steps | |\n| --- | --- | --- | --- | --- | --- | --- |\n";
     for run in &tower.runs {
         let outcome = run.outcome.name();

@@ -1,7 +1,7 @@
 //! What `tests/bare` steps, and `tests/core_stands_alone.rs` beside it.
 use millpond_core::scene::{
-    Block, Container, Correction, DensityForm, Dimension, EquationOfState, Evaluation, Fluid, Grid, Integrator,
-    Iteration, Kernel, ModelChoice, NearPressure, PressureForce, PressureSolver, Scene, SurfaceTension, Viscosity,
+    Block, Container, Correction, DensityForm, Dimension, EquationOfState, Evaluation, Fluid, Formulation, Grid,
+    Integrator, Iteration, Kernel, NearPressure, PressureForce, PressureSolver, Scene, SurfaceTension, Viscosity,
     WallPressure,
 };
 
@@ -11,7 +11,7 @@ pub fn scene() -> Scene {
     let block = Block { size: [0.5; 3], jitter: 0.02, ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, water, block);
     // every formula is named, so that the known bits outlive any change of a default
-    scene.model = ModelChoice {
+    scene.model = Formulation {
         integrator: Integrator::ModifiedVelocityVerlet,
         reevaluate: false,
         density_kernel: Kernel::Poly6,
@@ -19,24 +19,24 @@ pub fn scene() -> Scene {
         viscosity_kernel: Kernel::Viscosity,
         evaluation: Evaluation::Direct,
         density: DensityForm::Summation,
-        hydrostatic_start: false,
-        calibrated_mass: false,
+        initialize_hydrostatic: false,
+        normalize_mass: false,
         pressure_solver: PressureSolver::EquationOfState,
         equation_of_state: EquationOfState::Tait,
         correction: Correction { iteration: Iteration::Relaxed, iterations: 20, tolerance: 0.001 },
-        suction: true,
+        negative_pressure: true,
         pressure_force: PressureForce::Mueller,
-        near_pressure: NearPressure::Thesis,
+        near_pressure: NearPressure::DensityProportional,
         viscosity: Viscosity::Mueller,
         surface_tension: SurfaceTension::Off,
         surface_threshold: 0.1,
         surface_normals: false,
-        thermal_energy: false,
+        internal_energy: false,
         variable_support: None,
         wall_pressure: WallPressure::Mirrored,
     };
     scene.gravity = [0.0, -9.81, 0.0];
-    scene.container = Some(Container { bounce: 0.5, slip: 0.9, ..Container::closed([0.0; 3], [1.0, 1.0, 0.5]) });
+    scene.container = Some(Container { restitution: 0.5, slip: 0.9, ..Container::closed([0.0; 3], [1.0, 1.0, 0.5]) });
     scene.grid = Grid { cells: [8, 8, 8], ..Grid::default() };
     scene
 }

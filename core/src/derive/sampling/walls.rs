@@ -4,11 +4,11 @@ use crate::derive::material::FIRST_WALL;
 use crate::derive::scales::Scales;
 use crate::scene::{Face, InitialParticle, Scene, Wall, WallPressure, WallShape};
 
-/// Layers of a wall: S1's two with mirrored pressure, S0's three as quasi-fluid; more where the support reaches further.
+/// Layers of a wall: Hinsch's two with mirrored pressure, Pirovano's three as quasi-fluid; more where the support reaches further.
 pub(crate) fn wall_layers(scene: &Scene, scales: &Scales) -> u32 {
     let least = match scene.model.wall_pressure {
         WallPressure::Mirrored => 2,
-        WallPressure::QuasiFluid => 3,
+        WallPressure::Dynamic => 3,
     };
     let largest = scene.model.variable_support.map_or(1.0, |range| f64::from(range.largest));
     let reach = scales.support_radius * largest / f64::from(scene.particle_spacing);

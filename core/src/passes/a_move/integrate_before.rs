@@ -53,11 +53,11 @@ impl Work for &mut Job<'_> {
             let a = load(old.acceleration, first, last);
             let history = load_if_any(old.history, first, last);
             let mut place = moved(m, u, x, v, a, history);
-            if m.xsph == 1 {
+            if m.has_xsph == 1 {
                 place = drift(place, load(old.xsph_velocity, first, last), real(u.time_step));
             }
-            if m.wall_particles != 0 || m.air == 1 {
-                place = only_if_free(m, x, place, row_of(m, &materials.species, old.velocity, first, last, 1));
+            if m.wall_particles != 0 || m.has_air == 1 {
+                place = only_if_free(m, x, place, row_of(m, &materials.properties, old.velocity, first, last, 1));
             }
             let own = first - self.slots.start..end - self.slots.start;
             store_xyz(&mut self.moved_velocity[own.clone()], velocity_for_forces(m, u, v, a, history));

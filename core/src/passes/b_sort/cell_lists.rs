@@ -1,4 +1,4 @@
-//! The CUDA design's cells (S0 section 4.4.2): each particle takes a place of its cell. Only with cell lists.
+//! The CUDA design's cells (Pirovano, section 4.4.2): each particle takes a place of its cell. Only with cell lists.
 use crate::layout::NONE;
 use crate::memory::Sorting;
 use crate::passes::context::{Step, sorting};

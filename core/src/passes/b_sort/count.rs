@@ -10,7 +10,7 @@ use crate::grid::lanes::cells_of;
 use crate::layout::{NONE, f32x4};
 use crate::memory::Sorting;
 use crate::passes::context::{Setup, Step, sorting};
-use crate::passes::lanes::is_dormant;
+use crate::passes::lanes::is_inactive;
 use core::ops::Range;
 
 struct Job<'a> {
@@ -64,7 +64,7 @@ impl Work for &mut Job<'_> {
         for first in (0..self.cell.len()).step_by(R::LANES) {
             let end = (first + R::LANES).min(self.cell.len());
             let row = |lane: usize| &self.position[(first + lane).min(end - 1)];
-            let cells = if self.setup.model.air == 0 { cells_of::<R>(self.setup.parameters, row) } else { None };
+            let cells = if self.setup.model.has_air == 0 { cells_of::<R>(self.setup.parameters, row) } else { None };
             match cells {
                 Some(cells) => self.cell[first..end].copy_from_slice(&cells[..end - first]),
                 None => self.one_by_one(first..end),
@@ -79,7 +79,7 @@ impl Job<'_> {
     fn one_by_one(&mut self, particles: Range<usize>) {
         let Setup { model: m, parameters: p, materials, .. } = self.setup;
         for i in particles {
-            if m.air == 1 && is_dormant(materials, self.velocity[i][3]) {
+            if m.has_air == 1 && is_inactive(materials, self.velocity[i][3]) {
                 self.cell[i] = p.cells[3] - 1;
                 continue;
             }

@@ -1,4 +1,4 @@
-//! Each particle into the slots of its cell (S1 section 6.2). Only with the index sort.
+//! Each particle into the slots of its cell (Hinsch 2024, section 6.2). Only with the index sort.
 use crate::memory::Sorting;
 use crate::passes::context::{Step, sorting};
 

@@ -28,7 +28,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, cells) = (particles!(step but density), cells!(step));
     let pass = Density { previous: step.scratch.previous_density_pressure };
     let out = &mut *step.new.density_pressure;
-    if setup.model.half_stencil == 1 {
+    if setup.model.is_half_stencil == 1 {
         half_stencil::density::sum_once(setup, executor, particles, cells, out);
         pairs::run(setup, executor, particles, cells, lists!(step), &Summed(pass), out);
     } else if setup.model.sums_distances() {
@@ -61,13 +61,17 @@ impl<R: Lanes> Receivers<'_, R> {
     fn add(&self, slots: &Slots) -> [R; 4] {
         let Setup { model: m, parameters: p, materials, columns, uniform: u, tables: t, .. } = *self.setup;
         let [x, y, z, mass] = R::gather(self.particles.position, slots);
-        let needs_velocity = is_stepped(m) || m.fluids == 1;
+        let needs_velocity = is_stepped(m) || m.is_multi_fluid == 1;
         let none = real::<R>(0.0);
-        let [vx, vy, vz, kinds] =
+        let [vx, vy, vz, material] =
             if needs_velocity { R::gather(self.particles.velocity, slots) } else { [none, none, none, none] };
-        let of_species = |i: usize| of_material(self.setup, &materials.species, &columns.species, kinds, i);
+        let of_properties = |i: usize| of_material(self.setup, &materials.properties, &columns.properties, material, i);
         // over that of a particle of the first fluid
-        let mass_b = if m.fluids == 0 { mass } else { mass_seen(m, self.rest, mass, of_species(2), of_species(1)) };
+        let mass_b = if m.is_multi_fluid == 0 {
+            mass
+        } else {
+            mass_seen(m, self.rest, mass, of_properties(2), of_properties(1))
+        };
         let scale = pair_scale(m, self.support, self.particles.supports_of(self.setup, slots));
         let x_ab = separation(m, p, self.position, vec3(x, y, z));
         let q2 = squared_ratio(m, p, x_ab, scale);
@@ -94,8 +98,8 @@ impl PairPass for Density<'_> {
     fn group<R: Lanes>(&self, group: &Group<'_>, own: &mut [f32x4]) -> u32 {
         let (setup, particles) = (group.setup, group.particles);
         let [x, y, z, _] = group.spread::<R>(particles.position);
-        let [vx, vy, vz, kinds] = group.spread::<R>(particles.velocity);
-        let rest = of_material(setup, &setup.materials.species, &setup.columns.species, kinds, 2);
+        let [vx, vy, vz, material] = group.spread::<R>(particles.velocity);
+        let rest = of_material(setup, &setup.materials.properties, &setup.columns.properties, material, 2);
         let (position, velocity) = (vec3(x, y, z), vec3(vx, vy, vz));
         let support = particles.supports(setup, group.first, group.last);
         let receivers = Receivers { setup, particles, position, velocity, support, rest };
@@ -161,9 +165,10 @@ impl Density<'_> {
         let none = real::<R>(0.0);
         let [sum, near_sum, number_sum, _] = sums;
         let [.., mass] = group.spread::<R>(particles.position);
-        let [.., kinds] = group.spread::<R>(particles.velocity);
-        let of_species = |i: usize| -> R { of_material(setup, &materials.species, &columns.species, kinds, i) };
-        let rest = of_species(2);
+        let [.., material] = group.spread::<R>(particles.velocity);
+        let of_properties =
+            |i: usize| -> R { of_material(setup, &materials.properties, &columns.properties, material, i) };
+        let rest = of_properties(2);
         let previous = if self.previous.is_empty() { [none; 4] } else { spread(self.previous, first, last) };
         let stiffness = particles.stiffness::<R>(setup, first, last);
         let mut deviation = if is_stepped(m) {
@@ -174,20 +179,20 @@ impl Density<'_> {
         let mut pressure = if m.corrects_pressure() {
             pressure_carried(m, previous[1])
         } else {
-            let equation = of_material(setup, &materials.states, &columns.states, kinds, 3);
+            let equation = of_material(setup, &materials.states, &columns.states, material, 3);
             pressure_of_state(m, deviation, stiffness.state, equation)
         };
         pressure = pressure_close(m, pressure);
         let mut near_pressure = near_pressure_close(m, deviation, near_sum, stiffness.near);
         if m.wall_particles == MIRRORED {
-            let wall = less(none, of_species(1));
+            let wall = less(none, of_properties(1));
             deviation = select(deviation, none, wall);
             pressure = select(pressure, none, wall);
             near_pressure = select(near_pressure, none, wall);
         }
         let mut volume = volume_close(p, mass, deviation);
-        if m.numbers == 1 {
-            volume = volume_by_number(m, p, volume, number_sum, of_species(1));
+        if m.has_number_density_volume == 1 {
+            volume = volume_by_number(m, p, volume, number_sum, of_properties(1));
         }
         R::rows([deviation, pressure, near_pressure, volume], own);
     }

@@ -8,7 +8,7 @@ use crate::passes::context::Step;
 use crate::passes::group::{Group, fold};
 use crate::passes::local::particles;
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
-use crate::terms::air::{is_bare, whole_gradient};
+use crate::terms::air::{is_exposed, total_gradient};
 use crate::terms::geometry::flush3;
 
 /// Fills the gradients.
@@ -36,14 +36,14 @@ impl PairPass for Exposure {
         let a = group.receivers::<R>();
         let none = real::<R>(0.0);
         let sum = fold!(group: R, adds nothing to itself, |slots| {
-            let vec3 { x, y, z } = whole_gradient(m, p, a, group.neighbours(slots));
+            let vec3 { x, y, z } = total_gradient(m, p, a, group.neighbours(slots));
             [x, y, z, none]
         });
         let normal = flush3(xyz(sum));
-        let bare = is_bare(p, normal, a.wall, a.fluid);
+        let exposed = is_exposed(p, normal, a.wall, a.fluid);
         let is_wall = less(none, a.wall);
         let of = |x: R| select(x, none, is_wall);
-        R::rows([of(normal.x), of(normal.y), of(normal.z), of(bare)], own);
+        R::rows([of(normal.x), of(normal.y), of(normal.z), of(exposed)], own);
         0
     }
 }

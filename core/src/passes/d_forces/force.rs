@@ -22,7 +22,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
     let corrects = step.setup.model.corrects_pressure();
     let out = if corrects { &mut *step.scratch.non_pressure_acceleration } else { &mut *step.new.acceleration };
-    if step.setup.model.half_stencil == 1 {
+    if step.setup.model.is_half_stencil == 1 {
         half_stencil::force::sum_once(step.setup, step.executor, particles, cells, out);
         pairs::run(step.setup, step.executor, particles, cells, lists, &Summed, out);
     } else {
@@ -62,19 +62,19 @@ impl PairPass for Force {
 fn close<R: Lanes>(group: &Group<'_>, a: Local<R>, force: vec3<R>, own: &mut [f32x4]) {
     let setup = group.setup;
     let (m, p, u) = (setup.model, setup.parameters, setup.uniform);
-    let mut driven = acceleration_close(m, p, force, a);
-    if m.exchange == 1 {
+    let mut internal = acceleration_close(m, p, force, a);
+    if m.has_velocity_exchange == 1 {
         let [x, y, z, shares] = fold!(group: R, adds nothing to itself, |slots| {
             let b = group.neighbours(slots);
             let vec3 { x, y, z } = exchange_neighbour(m, p, a, b);
             [x, y, z, exchange_share(m, p, a, b)]
         });
-        driven = driven + vec3(x, y, z) * exchange_close(u, shares);
+        internal = internal + vec3(x, y, z) * exchange_close(u, shares);
     }
-    if m.field == 1 {
-        driven = driven + field::at(setup, a.position);
+    if m.has_acceleration_field == 1 {
+        internal = internal + field::at(setup, a.position);
     }
-    let acceleration = external_close(m, p, u, driven, a.velocity, density_ratio(m, a.deviation, a.rest));
+    let acceleration = external_close(m, p, u, internal, a.velocity, density_ratio(m, a.deviation, a.rest_ratio));
     let vec3 { x, y, z } = if_free(m, acceleration, a.wall);
     R::rows([x, y, z, real(0.0)], own);
 }

@@ -48,14 +48,14 @@ impl PairPass for PressureCorrect<'_> {
             let x_ab = separation(m, p, a.position, b.position);
             let scale = pair_scale(m, a.support, b.support);
             let v_ab = v_a - predicted_velocity(u, b.velocity, xyz(R::gather(self.acceleration, slots)));
-            let mass = mass_seen(m, a.rest, b.mass, b.rest, b.wall);
+            let mass = mass_seen(m, a.rest_ratio, b.mass, b.rest_ratio, b.wall);
             [continuity_neighbour(m, p, t, x_ab, v_ab, mass, scale), none, none, none]
         });
         let [deviation, before, near_pressure, volume] = own_numbers::<R>(own);
         let k = particles.stiffness::<R>(setup, group.first, group.last);
-        let rate = deviation_rate(m, p, rate, a.mass, a.rest);
+        let rate = deviation_rate(m, p, rate, a.mass, a.rest_ratio);
         let miss = density_miss(m, p, u, before, deviation, rate, k.compressibility);
-        let inverse = inverse_correction(u, k.thinning, k.offset);
+        let inverse = inverse_correction(u, k.pressure_response, k.response_offset);
         let mut after = pressure_corrected(m, before, miss, inverse);
         if m.wall_particles == MIRRORED {
             after = select(after, none, less(none, a.wall));

@@ -15,13 +15,13 @@ use crate::terms::wall::if_free;
 /// Fills the accelerations.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
-    let pass = PressureForce { free: step.scratch.non_pressure_acceleration };
+    let pass = PressureForce { non_pressure: step.scratch.non_pressure_acceleration };
     pairs::run(step.setup, step.executor, particles, cells, lists, &pass, step.new.acceleration);
 }
 
 /// Makes accelerations of `free`, those without pressure.
 struct PressureForce<'a> {
-    free: &'a [f32x4],
+    non_pressure: &'a [f32x4],
 }
 
 impl PairPass for PressureForce<'_> {
@@ -41,10 +41,10 @@ impl PairPass for PressureForce<'_> {
             let vec3 { x, y, z } = pressure_neighbour(m, p, t, a, group.neighbours(slots));
             [x, y, z, real(0.0)]
         });
-        let free = group.spread::<R>(self.free);
-        let all = flush3(xyz(free) + acceleration_close(m, p, xyz(force), a));
+        let non_pressure = group.spread::<R>(self.non_pressure);
+        let all = flush3(xyz(non_pressure) + acceleration_close(m, p, xyz(force), a));
         let vec3 { x, y, z } = if_free(m, all, a.wall);
-        let [.., curvature] = free;
+        let [.., curvature] = non_pressure;
         R::rows([x, y, z, curvature], own);
         0
     }

@@ -9,8 +9,8 @@ use crate::passes::lanes::{load, load_if_any, row_of, store_xyz};
 use crate::terms::boundary::{depth_behind, depth_if_free, put_back, reflect, select_if_behind};
 use crate::terms::geometry::flush3;
 use crate::terms::integrate::{
-    has_history, history_after, history_turned, moves_again, needs_earlier, needs_predicted_velocity, position_after,
-    velocity_after, wrap,
+    has_history, history_after, history_turned, moves_again, needs_predicted_velocity, needs_start_acceleration,
+    position_after, velocity_after, wrap,
 };
 use crate::terms::wall::only_if_free;
 
@@ -20,8 +20,8 @@ struct Job<'a> {
     velocity: &'a mut [f32x4],
     history: &'a mut [f32x4],
     acceleration: &'a [f32x4],
-    earlier: &'a [f32x4],
-    ahead: &'a [f32x4],
+    start_acceleration: &'a [f32x4],
+    predicted_velocity: &'a [f32x4],
 }
 
 /// Finishes positions, velocities and what is remembered of the step.
@@ -29,8 +29,8 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (setup, new) = (step.setup, &mut *step.new);
     // a step that only evaluates forces has the arrays, and nothing in them
     let if_needed = |needed: bool, array| if needed { array } else { &[][..] };
-    let earlier = if_needed(needs_earlier(setup.model), &*step.scratch.start_acceleration);
-    let ahead = if_needed(needs_predicted_velocity(setup.model), &*step.scratch.end_velocity);
+    let start_acceleration = if_needed(needs_start_acceleration(setup.model), &*step.scratch.start_acceleration);
+    let predicted_velocity = if_needed(needs_predicted_velocity(setup.model), &*step.scratch.end_velocity);
     let count = new.id.len();
     let (mut positions, mut velocities, mut histories) = (&mut *new.position, &mut *new.velocity, &mut *new.history);
     let mut jobs = Jobs::new();
@@ -42,8 +42,8 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
             velocity: take(&mut velocities, slots.len()),
             history,
             acceleration: &new.acceleration[slots.clone()],
-            earlier: earlier.get(slots.clone()).unwrap_or_default(),
-            ahead: ahead.get(slots).unwrap_or_default(),
+            start_acceleration: start_acceleration.get(slots.clone()).unwrap_or_default(),
+            predicted_velocity: predicted_velocity.get(slots).unwrap_or_default(),
         };
         let _ = jobs.push(job);
     }
@@ -65,21 +65,21 @@ impl Work for &mut Job<'_> {
             let end = (first + R::LANES).min(count);
             let last = end - 1;
             let a = load::<R>(self.acceleration, first, last);
-            let earlier = load_if_any(self.earlier, first, last);
+            let start_acceleration = load_if_any(self.start_acceleration, first, last);
             let before = load_if_any(self.history, first, last);
-            let mut v = if self.ahead.is_empty() {
-                velocity_after(m, u, load(self.velocity, first, last), a, earlier, before)
+            let mut v = if self.predicted_velocity.is_empty() {
+                velocity_after(m, u, load(self.velocity, first, last), a, start_acceleration, before)
             } else {
-                load(self.ahead, first, last)
+                load(self.predicted_velocity, first, last)
             };
-            let mut history = history_after(m, u, earlier, before);
-            if m.walls == 1 || moves_again(m) {
+            let mut history = history_after(m, u, start_acceleration, before);
+            if m.has_container == 1 || moves_again(m) {
                 let mut x = load::<R>(self.position, first, last);
-                let wall = row_of::<R>(m, &materials.species, self.velocity, first, last, 1);
+                let wall = row_of::<R>(m, &materials.properties, self.velocity, first, last, 1);
                 if moves_again(m) {
-                    x = wrap(m, p, only_if_free(m, x, position_after(m, u, x, a, earlier, before), wall));
+                    x = wrap(m, p, only_if_free(m, x, position_after(m, u, x, a, start_acceleration, before), wall));
                 }
-                if m.walls == 1 {
+                if m.has_container == 1 {
                     let mut is_flushed = false;
                     for plane in &p.planes[..p.plane_count as usize] {
                         let normal = vec3::splat(*plane);

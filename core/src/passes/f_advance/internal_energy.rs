@@ -48,7 +48,7 @@ impl PairPass for InternalEnergy<'_> {
             [heat_neighbour(m, p, t, a, group.neighbours(slots), v_ab), none, none, none]
         });
         let mut rate = heat_close(m, p, sum, a);
-        if m.exchange == 1 {
+        if m.has_velocity_exchange == 1 {
             let [heat, shares, ..] = fold!(group: R, adds nothing to itself, |slots| {
                 let b = group.neighbours(slots);
                 let v_ab = v_a - xyz(R::gather(self.ahead, slots));

@@ -31,20 +31,20 @@ impl Liquid<'_> {
     /// Slots of all that can be near a place; none of one beyond the grid's range.
     fn around(&self, setup: &Setup<'_>, place: vec3<f32>) -> Option<Stencil> {
         let cell = cell_of(setup.parameters, [place.x, place.y, place.z, 0.0]).ok()?;
-        Some(Stencil::around(setup.parameters, setup.model.layers as i32, self.sorted, cell as usize))
+        Some(Stencil::around(setup.parameters, setup.model.is_3d as i32, self.sorted, cell as usize))
     }
 
     /// Is nothing near that place, and no penalty wall before it?
     fn is_free(&self, setup: &Setup<'_>, place: vec3<f32>, around: &Stencil) -> bool {
         let (m, p) = (setup.model, setup.parameters);
-        let planes = if m.walls == 1 { p.plane_count as usize } else { 0 };
+        let planes = if m.has_container == 1 { p.plane_count as usize } else { 0 };
         let behind = |plane: &f32x4| depth_behind(place, vec3::splat(*plane), plane[3]) > 0.0;
         let taken = |b: usize| is_taken(m, p, place, vec3::<f32>::splat(self.position[b])) > 0.0;
         !p.planes[..planes].iter().any(behind) && !around.runs().flatten().any(taken)
     }
 
     /// Is air to be made beside the particle in this slot?
-    fn gives_birth(&self, setup: &Setup<'_>, a: usize) -> bool {
+    fn wants_spawn(&self, setup: &Setup<'_>, a: usize) -> bool {
         if self.gradient[a][3] == 0.0 {
             return false;
         }
@@ -74,7 +74,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     }
     step.executor.run(&mut jobs, |(first, own)| {
         for (i, own) in own.iter_mut().enumerate() {
-            *own = u32::from(liquid.gives_birth(&setup, *first + i));
+            *own = u32::from(liquid.wants_spawn(&setup, *first + i));
         }
     });
 }

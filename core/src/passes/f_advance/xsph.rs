@@ -14,13 +14,13 @@ use crate::terms::xsph::{xsph_close, xsph_neighbour};
 /// Fills `xsph_velocity`.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
-    let pass = Xsph { ahead: step.scratch.end_velocity };
+    let pass = Xsph { predicted_velocity: step.scratch.end_velocity };
     pairs::run(step.setup, step.executor, particles, cells, lists, &pass, step.new.xsph_velocity);
 }
 
 /// With the velocities at the end of the step.
 struct Xsph<'a> {
-    ahead: &'a [f32x4],
+    predicted_velocity: &'a [f32x4],
 }
 
 impl PairPass for Xsph<'_> {
@@ -36,11 +36,11 @@ impl PairPass for Xsph<'_> {
             return 0;
         }
         let mut a = group.receivers::<R>();
-        a.velocity = xyz(group.spread(self.ahead));
+        a.velocity = xyz(group.spread(self.predicted_velocity));
         let none = real::<R>(0.0);
         let sum = fold!(group: R, adds nothing to itself, |slots| {
             let mut b = group.neighbours::<R>(slots);
-            b.velocity = xyz(R::gather(self.ahead, slots));
+            b.velocity = xyz(R::gather(self.predicted_velocity, slots));
             let vec3 { x, y, z } = xsph_neighbour(m, p, t, a, b);
             [x, y, z, none]
         });

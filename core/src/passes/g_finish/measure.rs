@@ -3,7 +3,7 @@ use crate::arithmetic::real::vec3;
 use crate::executor::{Executor, Jobs, parts, shares};
 use crate::layout::f32x4;
 use crate::passes::context::{Maxima, Setup, Step};
-use crate::passes::lanes::kind;
+use crate::passes::lanes::material_of;
 use crate::terms::time_step::{bounded_sound, bounded_square};
 
 struct Job<'a> {
@@ -36,7 +36,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
 
 fn of_particle(setup: &Setup<'_>, v: f32x4, a: f32x4, density_pressure: f32x4) -> Maxima {
     let m = setup.model;
-    let [.., sound, equation] = setup.materials.states[if m.species == 1 { kind(v[3]) } else { 0 }];
+    let [.., sound, equation] = setup.materials.states[if m.has_materials == 1 { material_of(v[3]) } else { 0 }];
     Maxima {
         speed2: bounded_square(vec3::<f32>::splat(v)),
         acceleration2: bounded_square(vec3::<f32>::splat(a)),

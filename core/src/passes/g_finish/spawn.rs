@@ -4,11 +4,11 @@
 //! before this step. Who vanishes now is free from the next step on, when the other passes have forgotten what it was. Serial: one
 //! look at each id.
 use crate::arithmetic::real::vec3;
-use crate::derive::material::DORMANT;
+use crate::derive::material::INACTIVE;
 use crate::layout::f32x4;
 use crate::memory::State;
 use crate::passes::context::Step;
-use crate::passes::lanes::is_dormant;
+use crate::passes::lanes::is_inactive;
 use crate::terms::air::{is_thin, place_of_birth};
 use core::ops::Range;
 
@@ -21,10 +21,10 @@ pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) {
     let mut ids = 0..first_air;
     for id in first_air..slots {
         let slot = new.slot_of_id[id] as usize;
-        if !is_dormant(step.setup.materials, new.velocity[slot][3]) {
+        if !is_inactive(step.setup.materials, new.velocity[slot][3]) {
             let thin = is_thin(p, new.density_pressure[slot][0]) > 0.0;
             if thin {
-                set(p.rest_volume, new, slot, [0.0, 0.0, 0.0, DORMANT as f32]);
+                set(p.rest_volume, new, slot, [0.0, 0.0, 0.0, INACTIVE as f32]);
             }
         } else if let Some(parent) = next_parent(&mut ids, new.slot_of_id, requested) {
             let (x, [u, v, w, _]) = (vec3::splat(new.position[parent]), new.velocity[parent]);

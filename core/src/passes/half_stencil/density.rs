@@ -24,7 +24,7 @@ pub(crate) fn sum_once(
     // a particle is its own neighbour, but makes no pair with itself
     for (slot, sum) in sums.iter_mut().enumerate() {
         let a: Local<f32> = particles.receivers(&setup, slot, slot);
-        *sum = of_neighbour(&setup, mass_seen(setup.model, a.rest, a.mass, a.rest, a.wall), 0.0, 1.0);
+        *sum = of_neighbour(&setup, mass_seen(setup.model, a.rest_ratio, a.mass, a.rest_ratio, a.wall), 0.0, 1.0);
     }
     run(setup, executor, particles, cells, &Sums, sums);
 }
@@ -44,7 +44,7 @@ impl PairSum for Sums {
             return [of_neighbour(setup, one, q2, one); 2];
         }
         let b: Local<R> = others.known(setup);
-        let seen = |a: Local<R>, b: Local<R>| mass_seen(setup.model, a.rest, b.mass, b.rest, b.wall);
+        let seen = |a: Local<R>, b: Local<R>| mass_seen(setup.model, a.rest_ratio, b.mass, b.rest_ratio, b.wall);
         [of_neighbour(setup, seen(a, b), q2, one), of_neighbour(setup, seen(b, a), q2, one)]
     }
 }

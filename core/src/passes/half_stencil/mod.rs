@@ -74,7 +74,7 @@ pub(crate) fn run<S: PairSum>(
     sum: &S,
     sums: &mut [f32x4],
 ) {
-    let planes = Planes::of(setup.parameters, setup.model.layers);
+    let planes = Planes::of(setup.parameters, setup.model.is_3d);
     for parity in 0..2 {
         // those of this parity, but for the last of all
         let count = (planes.count - parity) / 2;
@@ -237,5 +237,5 @@ impl<S: PairSum> Job<'_, S> {
 /// Runs of slots: these of a cell itself, and those of the cells ahead.
 #[inline(always)]
 fn runs(setup: &Setup<'_>, cells: Cells<'_>, cell: usize, own: Range<usize>) -> impl Iterator<Item = Range<usize>> {
-    core::iter::once(own).chain(ahead(setup.parameters, setup.model.layers, cells, cell))
+    core::iter::once(own).chain(ahead(setup.parameters, setup.model.is_3d, cells, cell))
 }

@@ -5,14 +5,14 @@
 //! `a_{t+1} - 2 a_t + a_{t-1}`.
 use crate::arithmetic::real::*;
 
-/// `x_{t+1} = x_t + v_t dt + (2/3 a_t - 1/6 a_{t-1}) dt^2` (S0 eqs. 2.36 to 2.38), m.
+/// `x_{t+1} = x_t + v_t dt + (2/3 a_t - 1/6 a_{t-1}) dt^2` (Pirovano eqs. 2.36 to 2.38), m.
 #[inline(always)]
 pub fn beeman_position<R: Real>(x: vec3<R>, v: vec3<R>, a: vec3<R>, old_a: vec3<R>, dt: R) -> vec3<R> {
     let sixth = div(dt * dt, real(6.0));
     return x + v * dt + (a * real(4.0) - old_a) * sixth;
 }
 
-/// Beeman (S0 eq. 2.36 per errata), m/s: `v_{t+1} = v_t + (1/3 a_{t+1} + 5/6 a_t - 1/6 a_{t-1}) dt`. Forces are evaluated with v_t.
+/// Beeman (Pirovano eq. 2.36, corrected), m/s: `v_{t+1} = v_t + (1/3 a_{t+1} + 5/6 a_t - 1/6 a_{t-1}) dt`. Forces are evaluated with v_t.
 /// Order 2 without damping, where it is stable to omega dt = 2 and makes Verlet's positions; 1 with it.
 #[inline(always)]
 pub fn beeman_velocity<R: Real>(v: vec3<R>, new_a: vec3<R>, a: vec3<R>, old_a: vec3<R>, dt: R) -> vec3<R> {
@@ -20,7 +20,7 @@ pub fn beeman_velocity<R: Real>(v: vec3<R>, new_a: vec3<R>, a: vec3<R>, old_a: v
     return v + (new_a * real(2.0) + a * real(5.0) - old_a) * sixth;
 }
 
-/// Predicted velocity `v_t + (3/2 a_t - 1/2 a_{t-1}) dt` (S0 eqs. 2.37, 2.38), m/s, with which forces are evaluated.
+/// Predicted velocity `v_t + (3/2 a_t - 1/2 a_{t-1}) dt` (Pirovano eqs. 2.37, 2.38), m/s, with which forces are evaluated.
 #[inline(always)]
 pub fn beeman_prediction<R: Real>(v: vec3<R>, a: vec3<R>, old_a: vec3<R>, half_dt: R) -> vec3<R> {
     return v + (a * real(3.0) - old_a) * half_dt;
@@ -32,7 +32,7 @@ pub fn second_difference<R: Real>(new_a: vec3<R>, a: vec3<R>, old_a: vec3<R>) ->
     return new_a - a * real(2.0) + old_a;
 }
 
-/// Velocity-corrected Beeman (S0 eq. 2.37), m/s: `v_t + (1/3 a_{t+1} + 5/6 a_t - 1/6 a_{t-1}) dt`, from the prediction. Order 2, also
+/// Velocity-corrected Beeman (Pirovano eq. 2.37), m/s: `v_t + (1/3 a_{t+1} + 5/6 a_t - 1/6 a_{t-1}) dt`, from the prediction. Order 2, also
 /// with damping; without it as Beeman.
 #[inline(always)]
 pub fn velocity_corrected<R: Real>(prediction: vec3<R>, second: vec3<R>, dt: R) -> vec3<R> {
@@ -40,7 +40,7 @@ pub fn velocity_corrected<R: Real>(prediction: vec3<R>, second: vec3<R>, dt: R) 
     return prediction + second * third;
 }
 
-/// Position-corrected Beeman (S0 eq. 2.38 per errata), m/s: `v_t + (5/12 a_{t+1} + 8/12 a_t - 1/12 a_{t-1}) dt`, from the prediction.
+/// Position-corrected Beeman (Pirovano eq. 2.38, corrected), m/s: `v_t + (5/12 a_{t+1} + 8/12 a_t - 1/12 a_{t-1}) dt`, from the prediction.
 /// Order 3 without damping, where it grows by 1 + (omega dt)^4 / 24 at small steps, and only those from omega dt = 0.738 to
 /// sqrt(3 / 2) are stable; 2 with it.
 #[inline(always)]

@@ -1,4 +1,4 @@
-//! Clavet's prediction and relaxation (Clavet et al. 2005; S0 eq. 2.35 per errata), all forces acting as one (N = 1).
+//! Clavet's prediction and relaxation (Clavet et al. 2005; Pirovano eq. 2.35, corrected), all forces acting as one (N = 1).
 //!
 //! Order 1, stable to omega dt = 2 / sqrt 3 without damping, which it adds itself; not symplectic. One evaluation.
 use super::euler::*;

@@ -1,7 +1,7 @@
 //! The two of Euler's: all from what is known at the beginning of a step.
 use crate::arithmetic::real::*;
 
-/// Forward Euler (S0 eq. 2.29): order 1, unstable without damping at any step, not symplectic. One evaluation.
+/// Forward Euler (Pirovano eq. 2.29): order 1, unstable without damping at any step, not symplectic. One evaluation.
 ///
 /// `x_{t+1} = x_t + v_t dt`, m; `v_{t+1} = v_t + f(x_t, v_t) dt`.
 #[inline(always)]
@@ -15,7 +15,7 @@ pub fn euler_velocity<R: Real>(v: vec3<R>, a: vec3<R>, dt: R) -> vec3<R> {
     return v + a * dt;
 }
 
-/// Semi-implicit Euler (S0 eq. 2.30): order 1, stable to omega dt = 2, symplectic. One evaluation.
+/// Semi-implicit Euler (Pirovano eq. 2.30): order 1, stable to omega dt = 2, symplectic. One evaluation.
 ///
 /// `v_{t+1} = v_t + f(x_t, v_t) dt`; `x_{t+1} = x_t + v_{t+1} dt`, m.
 #[inline(always)]

@@ -1,8 +1,8 @@
-//! Leapfrog (S0 eq. 2.34 per errata; S3): velocities half a step beside the positions.
+//! Leapfrog (Pirovano eq. 2.34, corrected; Roy): velocities half a step beside the positions.
 //!
 //! `x_{t+1} = x_t + v_{t+1/2} dt`, `v_{t+3/2} = v_{t+1/2} + a_{t+1} dt`. What is kept is the velocity at the position, so that the
 //! first step needs no other start and a step may be longer than the last. Forces are evaluated with
-//! `v_t = (v_{t-1/2} + v_{t+1/2}) / 2`, S0's velocity with a delay: of the velocities that could enter, it is the one with the
+//! `v_t = (v_{t-1/2} + v_{t+1/2}) / 2`, Pirovano's velocity with a delay: of the velocities that could enter, it is the one with the
 //! thesis' limits. Order 2 without damping and 1 with it, symplectic, one evaluation.
 use super::euler::*;
 use crate::arithmetic::real::*;

@@ -1,4 +1,4 @@
-//! The integrators (S0 section 2.3.1 with the errata), one family a file, and which of them a scene takes.
+//! The integrators (Pirovano, section 2.3.1 with the errata), one family a file, and which of them a scene takes.
 //!
 //! A step of each is: [`moved`] and [`velocity_for_forces`], the forces there, [`velocity_after`], [`position_after`] and
 //! [`history_after`]. `a` and `history` are those of the beginning of the step. What is remembered of the steps before is, with
@@ -20,25 +20,25 @@ use euler::*;
 use leapfrog::*;
 use verlet::*;
 
-/// S0 eq. 2.33.
+/// Pirovano eq. 2.33.
 pub const MODIFIED_VELOCITY_VERLET: u32 = 0;
-/// S0 eq. 2.29.
+/// Pirovano eq. 2.29.
 pub const EULER: u32 = 1;
-/// S0 eq. 2.30.
+/// Pirovano eq. 2.30.
 pub const SEMI_IMPLICIT_EULER: u32 = 2;
-/// S0 eq. 2.31.
+/// Pirovano eq. 2.31.
 pub const VERLET: u32 = 3;
-/// S0 eq. 2.32.
+/// Pirovano eq. 2.32.
 pub const VELOCITY_VERLET: u32 = 4;
-/// S0 eq. 2.34.
+/// Pirovano eq. 2.34.
 pub const LEAPFROG: u32 = 5;
-/// S0 eq. 2.35.
+/// Pirovano eq. 2.35.
 pub const PREDICTION_RELAXATION: u32 = 6;
-/// S0 eq. 2.36.
+/// Pirovano eq. 2.36.
 pub const BEEMAN: u32 = 7;
-/// S0 eq. 2.37.
+/// Pirovano eq. 2.37.
 pub const VELOCITY_CORRECTED_BEEMAN: u32 = 8;
-/// S0 eq. 2.38.
+/// Pirovano eq. 2.38.
 pub const POSITION_CORRECTED_BEEMAN: u32 = 9;
 
 /// Does it remember the acceleration before?
@@ -57,7 +57,7 @@ pub fn has_history(m: &Model) -> bool {
 
 /// Does the end of its step need the acceleration at the beginning?
 #[inline(always)]
-pub fn needs_earlier(m: &Model) -> bool {
+pub fn needs_start_acceleration(m: &Model) -> bool {
     return has_history(m) || m.integrator == VELOCITY_VERLET || m.integrator == LEAPFROG;
 }
 
@@ -76,7 +76,7 @@ pub fn knows_velocity(m: &Model) -> bool {
 /// Do passes over pairs need the velocities at the end of a step before there are any?
 #[inline(always)]
 pub fn needs_predicted_velocity(m: &Model) -> bool {
-    return m.thermal_energy == 1 || m.xsph == 1 || m.reevaluates == 1;
+    return m.has_internal_energy == 1 || m.has_xsph == 1 || m.is_reevaluated == 1;
 }
 
 /// Where forces are evaluated, m.
@@ -231,7 +231,7 @@ pub fn wrapped<R: Real>(x: R, low: f32, period: f32, inverse_period: f32) -> R {
 /// A position, back inside a periodic domain.
 #[inline(always)]
 pub fn wrap<R: Real>(m: &Model, p: &Parameters, position: vec3<R>) -> vec3<R> {
-    if m.periodic == 0 {
+    if m.is_periodic == 0 {
         return position;
     }
     let x = wrapped(position.x, p.domain_low[0], p.period[0], p.inverse_period[0]);

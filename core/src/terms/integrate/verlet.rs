@@ -3,7 +3,7 @@
 use super::euler::*;
 use crate::arithmetic::real::*;
 
-/// Verlet (S0 eq. 2.31 per errata), m: `x_{t+1} = 2 x_t - x_{t-1} + a_t dt^2`, the last displacement `d_t = x_t - x_{t-1}` being
+/// Verlet (Pirovano eq. 2.31, corrected), m: `x_{t+1} = 2 x_t - x_{t-1} + a_t dt^2`, the last displacement `d_t = x_t - x_{t-1}` being
 /// what is remembered: a difference of coordinates would have lost half of its digits.
 #[inline(always)]
 pub fn verlet_position<R: Real>(x: vec3<R>, d: vec3<R>, a: vec3<R>, dt: R) -> vec3<R> {
@@ -30,7 +30,7 @@ pub fn verlet_start<R: Real>(v: vec3<R>, a: vec3<R>, dt: R, half_dt: R) -> vec3<
     return (v - a * half_dt) * dt;
 }
 
-/// Velocity Verlet (S0 eq. 2.32), m: `x_{t+1} = x_t + v_t dt + a_t dt^2 / 2`. Forces are evaluated with v_t.
+/// Velocity Verlet (Pirovano eq. 2.32), m: `x_{t+1} = x_t + v_t dt + a_t dt^2 / 2`. Forces are evaluated with v_t.
 #[inline(always)]
 pub fn velocity_verlet_position<R: Real>(x: vec3<R>, v: vec3<R>, a: vec3<R>, dt: R, half_dt: R) -> vec3<R> {
     return x + v * dt + a * (half_dt * dt);
@@ -42,7 +42,7 @@ pub fn velocity_verlet_velocity<R: Real>(v: vec3<R>, new_a: vec3<R>, a: vec3<R>,
     return v + (new_a + a) * half_dt;
 }
 
-/// Modified velocity Verlet (S0 eq. 2.33 per errata), m/s: half kick, drift, forces at the new place with the half-step
+/// Modified velocity Verlet (Pirovano eq. 2.33, corrected), m/s: half kick, drift, forces at the new place with the half-step
 /// velocity, half kick.
 #[inline(always)]
 pub fn modified_verlet_kick<R: Real>(v: vec3<R>, a: vec3<R>, half_dt: R) -> vec3<R> {

@@ -1,4 +1,4 @@
-//! The density kernel of Clavet et al. 2005 (S4's near pair), `(1 - q)^2`.
+//! The density kernel of Clavet et al. 2005 (Gourlay's near pair), `(1 - q)^2`.
 use super::{if_inside, inside};
 use crate::arithmetic::real::*;
 

@@ -1,5 +1,5 @@
-//! Cubic spline: Monaghan and Lattanzio 1985 (S0 eq. 2.43 per errata; S1 section 4.1), `(2 - s)^3 - 4 (1 - s)^3` with
-//! s = 2 q: the textbook's r / h, its support being 2 h. S1's constants are 1 / (6 h), 5 / (14 pi h^2) and 1 / (4 pi h^3).
+//! Cubic spline: Monaghan and Lattanzio 1985 (Pirovano eq. 2.43, corrected; Hinsch 2024, section 4.1), `(2 - s)^3 - 4 (1 - s)^3` with
+//! s = 2 q: the textbook's r / h, its support being 2 h. Hinsch's constants are 1 / (6 h), 5 / (14 pi h^2) and 1 / (4 pi h^3).
 use super::inside;
 use crate::arithmetic::real::*;
 

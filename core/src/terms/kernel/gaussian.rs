@@ -1,4 +1,4 @@
-//! The Gaussian (Gingold and Monaghan 1977; S0 eq. 2.42, S4 table 1), `exp(-9 q^2)`, cut off at q = 1, where e^-9 of it
+//! The Gaussian (Gingold and Monaghan 1977; Pirovano eq. 2.42, Gourlay table 1), `exp(-9 q^2)`, cut off at q = 1, where e^-9 of it
 //! remains, and normalised with that cut.
 use super::if_inside;
 use crate::arithmetic::real::*;

@@ -1,4 +1,4 @@
-//! Lucy 1977 (S4 table 1), `(1 + 3 q) (1 - q)^3`. Constants 5 / pi in 2D, 105 / (16 pi) in 3D.
+//! Lucy 1977 (Gourlay table 1), `(1 + 3 q) (1 - q)^3`. Constants 5 / pi in 2D, 105 / (16 pi) in 3D.
 use super::inside;
 use crate::arithmetic::real::*;
 

@@ -151,7 +151,7 @@ pub fn kernel_laplacian<R: Real>(m: &Model, kernel: u32, q: R) -> R {
     let fall = div(kernel_slope(m, kernel, q), q);
     let curvature = kernel_curvature(kernel, q);
     let plane = curvature - fall;
-    if m.layers == 0 {
+    if m.is_3d == 0 {
         return select(real(0.0), plane, less(real(0.0), q));
     }
     return select(real(0.0), plane - fall, less(real(0.0), q));

@@ -1,4 +1,4 @@
-//! Poly6, `(1 - q^2)^3`: Mueller et al. 2003, eq. 20 (S0 eq. 2.44 per errata). Constants 4 / pi in 2D, 315 / (64 pi) in 3D.
+//! Poly6, `(1 - q^2)^3`: Mueller et al. 2003, eq. 20 (Pirovano eq. 2.44, corrected). Constants 4 / pi in 2D, 315 / (64 pi) in 3D.
 use super::inside;
 use crate::arithmetic::real::*;
 

@@ -1,4 +1,4 @@
-//! Spiky, `(1 - q)^3`: Mueller et al. 2003, eq. 21 (S0 eq. 2.45 per errata). Constants 10 / pi in 2D, 15 / pi in 3D. Its
+//! Spiky, `(1 - q)^3`: Mueller et al. 2003, eq. 21 (Pirovano eq. 2.45, corrected). Constants 10 / pi in 2D, 15 / pi in 3D. Its
 //! slope does not vanish for close pairs.
 use super::inside;
 use crate::arithmetic::real::*;

@@ -7,8 +7,8 @@ fn pass_body(a: u32) {
   var history = vec3(0.0f, 0.0f, 0.0f);
   if has_history() { history = old_history[a].xyz; }
   var place = moved(x.xyz, v.xyz, acceleration, history);
-  if m.xsph == 1u { place = drift(place, old_xsph_velocity[a].xyz, u.time_step); }
-  place = wrap(only_if_free(x.xyz, place, kind(v.w).y));
+  if m.has_xsph == 1u { place = drift(place, old_xsph_velocity[a].xyz, u.time_step); }
+  place = wrap(only_if_free(x.xyz, place, properties_of(v.w).y));
   moved_velocity[a] = vec4(velocity_for_forces(v.xyz, acceleration, history), v.w);
   moved_position[a] = vec4(place, x.w);
 }

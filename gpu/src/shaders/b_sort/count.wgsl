@@ -7,7 +7,7 @@ fn enter(own: u32) -> u32 {
 
 fn pass_body(a: u32) {
   if a >= p.particle_count || atomicLoad(&head.status.failed) != 0u { return; }
-  if is_dormant(moved_velocity[a].w) {
+  if is_inactive(moved_velocity[a].w) {
     cell[a] = p.cells.w - 1u;
     rank[a] = enter(p.cells.w - 1u);
     return;

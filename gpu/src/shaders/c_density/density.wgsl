@@ -1,6 +1,6 @@
 // Density of each particle from its neighbours, and the pressures that follow.
 fn support_of(a: u32) -> f32 {
-  if m.variable_support == 1u { return support_ratio[a]; }
+  if m.has_variable_support == 1u { return support_ratio[a]; }
   return 1.0f;
 }
 
@@ -8,12 +8,12 @@ fn pass_body(a: u32) {
   if a >= p.particle_count || head.status.failed != 0u { return; }
   let x_a = new_position[a];
   let v_a = new_velocity[a];
-  if is_dormant(v_a.w) {
+  if is_inactive(v_a.w) {
     new_density_pressure[a] = vec4(0.0f, 0.0f, 0.0f, p.rest_volume);
     return;
   }
   // a mirroring wall has no density, and nobody acts on it
-  if m.wall_particles == MIRRORED && kind(v_a.w).y > 0.0f {
+  if m.wall_particles == MIRRORED && properties_of(v_a.w).y > 0.0f {
     new_density_pressure[a] = vec4(0.0f, 0.0f, 0.0f, volume_close(x_a.w, 0.0f));
     return;
   }
@@ -21,7 +21,7 @@ fn pass_body(a: u32) {
   var sum = 0.0f;
   var near_sum = 0.0f;
   var number_sum = 0.0f;
-  let own_kind = kind(v_a.w);
+  let own = properties_of(v_a.w);
   for (var i = 0u; i < stencil_cells(); i += 1u) {
     let c = stencil_cell(own, i);
     let end = cell_start[c] + head.counter[c];
@@ -32,9 +32,9 @@ fn pass_body(a: u32) {
       let q2 = squared_ratio(x_ab, scale);
       if less(q2, 1.0f) {
         var mass_b = x_b.w;
-        if m.fluids == 1u {
-          let kind_b = kind(new_velocity[b].w);
-          mass_b = mass_seen(own_kind.z, x_b.w, kind_b.z, kind_b.y);
+        if m.is_multi_fluid == 1u {
+          let of_b = properties_of(new_velocity[b].w);
+          mass_b = mass_seen(own.z, x_b.w, of_b.z, of_b.y);
         }
         if is_stepped() {
           // where the pair was in the middle of the step
@@ -43,26 +43,26 @@ fn pass_body(a: u32) {
         } else {
           sum = sum + summed_neighbour(mass_b, q2, scale);
         }
-        if m.near_pressure == ARTICLE { near_sum = near_sum + near_density_neighbour(mass_b, q2, scale); }
-        if m.numbers == 1u { number_sum = number_sum + number_density_neighbour(q2, scale); }
+        if m.near_pressure == DOUBLE_DENSITY { near_sum = near_sum + near_density_neighbour(mass_b, q2, scale); }
+        if m.has_number_density_volume == 1u { number_sum = number_sum + number_density_neighbour(q2, scale); }
       }
     }
   }
   let k = stiffness_of(v_a.w);
   var deviation = 0.0f;
   if is_stepped() {
-    deviation = deviation_stepped(previous_density_pressure[a].x, deviation_rate(sum, x_a.w, own_kind.z));
+    deviation = deviation_stepped(previous_density_pressure[a].x, deviation_rate(sum, x_a.w, own.z));
   } else {
-    deviation = deviation_of_sum(sum, x_a.w, own_kind.z);
+    deviation = deviation_of_sum(sum, x_a.w, own.z);
   }
   var pressure = 0.0f;
   if m.pressure_solver == PRESSURE_CORRECTION {
     pressure = pressure_carried(previous_density_pressure[a].y);
   } else {
-    pressure = pressure_of_state(deviation, k.state, materials.states[kind_index(v_a.w)].w);
+    pressure = pressure_of_state(deviation, k.state, materials.states[material_index(v_a.w)].w);
   }
   let near_pressure = near_pressure_close(deviation, near_sum, k.near);
   var volume = volume_close(x_a.w, deviation);
-  if m.numbers == 1u { volume = volume_by_number(volume, number_sum, own_kind.y); }
+  if m.has_number_density_volume == 1u { volume = volume_by_number(volume, number_sum, own.y); }
   new_density_pressure[a] = vec4(deviation, pressure_close(pressure), near_pressure, volume);
 }

@@ -13,9 +13,9 @@ fn pass_body(i: u32) {
     let end = cell_start[c] + head.counter[c];
     for (var j = cell_start[c]; j < end; j += 1u) {
       let b = local(j);
-      if is_near(a, b) { sum = sum + whole_gradient(a, b); }
+      if is_near(a, b) { sum = sum + total_gradient(a, b); }
     }
   }
   let gradient = flush3(sum);
-  total_colour_gradient[i] = vec4(gradient, is_bare(gradient, a.wall, a.fluid));
+  total_colour_gradient[i] = vec4(gradient, is_exposed(gradient, a.wall, a.fluid));
 }

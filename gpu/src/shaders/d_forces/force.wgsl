@@ -9,9 +9,9 @@ fn field_at(position: vec3<f32>) -> vec3<f32> {
     smaller(larger(floor(place.x), -2.0f), f32(counts.x)),
     smaller(larger(floor(place.y), -2.0f), f32(counts.y)),
     0.0f);
-  if m.layers == 1u { first.z = smaller(larger(floor(place.z), -2.0f), f32(counts.z)); }
+  if m.is_3d == 1u { first.z = smaller(larger(floor(place.z), -2.0f), f32(counts.z)); }
   var sum = vec3(0.0f, 0.0f, 0.0f);
-  for (var i = 0u; i < (4u << m.layers); i += 1u) {
+  for (var i = 0u; i < (4u << m.is_3d); i += 1u) {
     let node = vec3(first.x + f32(i & 1u), first.y + f32((i >> 1u) & 1u), first.z + f32(i >> 2u));
     let n = vec3<i32>(node);
     var value = vec3(0.0f, 0.0f, 0.0f);
@@ -41,15 +41,15 @@ fn pass_body(i: u32) {
       let b = local(j);
       if is_near(a, b) {
         force = force + force_neighbour(a, b);
-        if m.exchange == 1u {
+        if m.has_velocity_exchange == 1u {
           change = change + exchange_neighbour(a, b);
           shares = shares + exchange_share(a, b);
         }
       }
     }
   }
-  var driven = acceleration_close(force, a);
-  if m.exchange == 1u { driven = driven + change * exchange_close(shares); }
-  if m.field == 1u { driven = driven + field_at(a.position); }
-  force_out[i] = vec4(external_close(driven, a.velocity, density_ratio(a.deviation, a.rest)), 0.0f);
+  var internal = acceleration_close(force, a);
+  if m.has_velocity_exchange == 1u { internal = internal + change * exchange_close(shares); }
+  if m.has_acceleration_field == 1u { internal = internal + field_at(a.position); }
+  force_out[i] = vec4(external_close(internal, a.velocity, density_ratio(a.deviation, a.rest_ratio)), 0.0f);
 }

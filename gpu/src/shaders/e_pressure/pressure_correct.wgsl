@@ -2,12 +2,12 @@
 fn predicted(a: u32) -> vec3<f32> { return predicted_velocity(new_velocity[a].xyz, new_acceleration[a].xyz); }
 
 fn pass_body(a: u32) {
-  if a >= p.particle_count || atomicLoad(&head.status.failed) != 0u || atomicLoad(&head.status.settled) != 0u { return; }
-  if is_dormant(new_velocity[a].w) { return; }
-  if m.wall_particles == MIRRORED && kind(new_velocity[a].w).y > 0.0f { return; }
+  if a >= p.particle_count || atomicLoad(&head.status.failed) != 0u || atomicLoad(&head.status.pressure_converged) != 0u { return; }
+  if is_inactive(new_velocity[a].w) { return; }
+  if m.wall_particles == MIRRORED && properties_of(new_velocity[a].w).y > 0.0f { return; }
   let x_a = new_position[a].xyz;
   let v_a = predicted(a);
-  let own_kind = kind(new_velocity[a].w);
+  let own = properties_of(new_velocity[a].w);
   let own = cell_of(x_a);
   var rate = 0.0f;
   for (var i = 0u; i < stencil_cells(); i += 1u) {
@@ -17,18 +17,18 @@ fn pass_body(a: u32) {
       let x_b = new_position[b];
       let x_ab = separation(x_a, x_b.xyz);
       var scale = 1.0f;
-      if m.variable_support == 1u { scale = pair_scale(support_ratio[a], support_ratio[b]); }
+      if m.has_variable_support == 1u { scale = pair_scale(support_ratio[a], support_ratio[b]); }
       if less(squared_ratio(x_ab, scale), 1.0f) {
-        let kind_b = kind(new_velocity[b].w);
-        let mass_b = mass_seen(own_kind.z, x_b.w, kind_b.z, kind_b.y);
+        let of_b = properties_of(new_velocity[b].w);
+        let mass_b = mass_seen(own.z, x_b.w, of_b.z, of_b.y);
         rate = rate + continuity_neighbour(x_ab, v_a - predicted(b), mass_b, scale);
       }
     }
   }
   let state = new_density_pressure[a];
   let k = stiffness_of(new_velocity[a].w);
-  rate = deviation_rate(rate, new_position[a].w, own_kind.z);
-  let inverse = inverse_correction(k.thinning, k.offset);
+  rate = deviation_rate(rate, new_position[a].w, own.z);
+  let inverse = inverse_correction(k.pressure_response, k.response_offset);
   let after = pressure_corrected(state.y, density_miss(state.y, state.x, rate, k.compressibility), inverse);
   new_density_pressure[a] = vec4(state.x, after, state.z, state.w);
   atomicMax(&head.status.residual, bitcast<u32>(residual(state.y, after, inverse)));

@@ -1,6 +1,6 @@
 // Acceleration by the pressure of an iteration, added to all else; once more after the last iteration.
 fn pass_body(i: u32) {
-  if i >= p.particle_count || head.status.failed != 0u || head.status.settled > 1u { return; }
+  if i >= p.particle_count || head.status.failed != 0u || head.status.pressure_converged > 1u { return; }
   let a = local(i);
   if a.wall > 0.0f {
     new_acceleration[i] = vec4(0.0f, 0.0f, 0.0f, non_pressure_acceleration[i].w);

@@ -4,7 +4,7 @@ fn at_step(a: u32) -> vec3<f32> { return end_velocity[a].xyz; }
 fn pass_body(i: u32) {
   if i >= p.particle_count || head.status.failed != 0u { return; }
   let a = local(i);
-  if is_dormant(new_velocity[i].w) {
+  if is_inactive(new_velocity[i].w) {
     // as fresh as whoever is made of it next
     new_internal_energy[i] = vec4(p.air_heat, 0.0f, 0.0f, 0.0f);
     return;
@@ -23,7 +23,7 @@ fn pass_body(i: u32) {
       if is_near(a, b) {
         let v_ab = v_a - at_step(j);
         sum = sum + heat_neighbour(a, b, v_ab);
-        if m.exchange == 1u {
+        if m.has_velocity_exchange == 1u {
           heat = heat + exchange_heat(a, b, v_ab);
           shares = shares + exchange_share(a, b);
         }
@@ -31,7 +31,7 @@ fn pass_body(i: u32) {
     }
   }
   var rate = heat_close(sum, a);
-  if m.exchange == 1u { rate = rate + heat * exchange_close(shares); }
+  if m.has_velocity_exchange == 1u { rate = rate + heat * exchange_close(shares); }
   let before = new_internal_energy[i];
   new_internal_energy[i] = vec4(heat_stepped(before.x, before.y, rate), rate, 0.0f, 0.0f);
 }

@@ -4,7 +4,7 @@ fn place_of(a: u32) -> vec3<f32> { return place_of_birth(new_position[a].xyz, to
 // Is nothing near that place, and no penalty wall before it?
 fn is_free(place: vec3<f32>) -> bool {
   if axis_out_of_range(place) < 3u { return false; }
-  if m.walls == 1u {
+  if m.has_container == 1u {
     for (var i = 0u; i < p.plane_count; i += 1u) {
       let plane = p.planes[i];
       if depth_behind(place, plane.xyz, plane.w) > 0.0f { return false; }

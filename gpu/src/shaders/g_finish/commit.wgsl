@@ -11,10 +11,10 @@ fn set_step(step: f32) {
 fn counts() -> bool {
   let step = u.time_step;
   var wanted = step;
-  if m.adaptive == 1u {
-    let fastest = bitcast<f32>(atomicExchange(&head.status.fastest, 0u));
-    let hardest = bitcast<f32>(atomicExchange(&head.status.hardest, 0u));
-    let loudest = bitcast<f32>(atomicExchange(&head.status.loudest, 0u));
+  if m.is_adaptive == 1u {
+    let fastest = bitcast<f32>(atomicExchange(&head.status.max_speed_squared, 0u));
+    let hardest = bitcast<f32>(atomicExchange(&head.status.max_acceleration_squared, 0u));
+    let loudest = bitcast<f32>(atomicExchange(&head.status.max_sound_speed, 0u));
     wanted = step_wanted(fastest, hardest, loudest);
     set_step(step_limited(wanted, step));
     if is_overlong(wanted, step) > 0.0f {
@@ -22,7 +22,7 @@ fn counts() -> bool {
       return false;
     }
     if wanted < p.smallest_time_step { atomicAdd(&head.status.held, 1u); }
-    atomicAdd(&head.status.redone, atomicExchange(&head.status.undone, 0u));
+    atomicAdd(&head.status.rejected_steps, atomicExchange(&head.status.undone, 0u));
     head.status.first_time_step = head.status.time_step;
   }
   head.status.last_time_step = step;
@@ -44,12 +44,12 @@ fn pass_body(thread: u32) {
   if full != NONE || atomicLoad(&head.status.out_of_range) != NONE || atomicLoad(&head.status.not_finite) != NONE {
     atomicStore(&head.status.failed, 1u);
     // the clock is as it was, too
-    if m.adaptive == 1u { set_step(head.status.first_time_step); }
+    if m.is_adaptive == 1u { set_step(head.status.first_time_step); }
     return;
   }
   let iterations = atomicExchange(&head.status.iterations, 0u);
   let refused = atomicExchange(&head.status.refused, 0u);
-  atomicStore(&head.status.settled, 0u);
+  atomicStore(&head.status.pressure_converged, 0u);
   if !counts() {
     if atomicLoad(&head.status.undone) < MOST_ATTEMPTS {
       atomicStore(&head.status.failed, 2u);

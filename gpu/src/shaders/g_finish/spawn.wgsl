@@ -26,7 +26,7 @@ fn pass_body(thread: u32) {
   births[thread] = count;
   var asleep = 0u;
   for (var id = first_own; id < end_own; id += 1u) {
-    if is_dormant(new_velocity[new_slot_of_id[id]].w) { asleep += 1u; }
+    if is_inactive(new_velocity[new_slot_of_id[id]].w) { asleep += 1u; }
   }
   sleepers[thread] = asleep;
   workgroupBarrier();
@@ -62,7 +62,7 @@ fn pass_body(thread: u32) {
   var alive = 0u;
   for (var id = first_own; id < end_own; id += 1u) {
     let slot = new_slot_of_id[id];
-    if !is_dormant(new_velocity[slot].w) {
+    if !is_inactive(new_velocity[slot].w) {
       if is_thin(new_density_pressure[slot].x) > 0.0f {
         renew(slot, vec4(0.0f, 0.0f, 0.0f, f32(MATERIALS - 1u)));
       } else {

@@ -1,7 +1,7 @@
-//! `integrators`: the ten of S0 section 2.3.1 on its oscillators, against theory: limits of stability, orders, areas of phase
-//! space, amplitudes and phases, and S0's own tables 2.1 to 2.4 beside ours.
+//! `integrators`: the ten of Pirovano, section 2.3.1 on its oscillators, against theory: limits of stability, orders, areas of phase
+//! space, amplitudes and phases, and Pirovano's own tables 2.1 to 2.4 beside ours.
 //!
-//! [`oscillator`] steps a mass on a spring by core's terms, and [`theory`] says from S0's equations what must come of it.
+//! [`oscillator`] steps a mass on a spring by core's terms, and [`theory`] says from Pirovano's equations what must come of it.
 pub mod area;
 pub mod limits;
 pub mod orders;
@@ -17,7 +17,7 @@ mod thesis;
 pub use scheme::Scheme;
 
 use super::flow::larger;
-use super::{Context, Figure, Outcome};
+use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use millpond_core::Executor;
 use millpond_core::arithmetic::double::Double;
@@ -58,7 +58,7 @@ struct Measured {
     orders: [Order; 3],
     /// Change of an area with a linear spring, and with one that stiffens.
     areas: [f64; 2],
-    /// S0's runs by stiffness, without damping and critically damped.
+    /// Pirovano's runs by stiffness, without damping and critically damped.
     undamped: Vec<Swing>,
     damped: Vec<Swing>,
 }
@@ -69,8 +69,8 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let all: Vec<Measured> = jobs.into_iter().filter_map(|(_, measured)| measured).collect();
     let mut figures = Vec::new();
     for one in &all {
-        figures.push(Figure::below(format!("limit off theory, {}", one.scheme.name()), limit_off(one), LIMIT_OFF));
-        figures.push(Figure::below(format!("order off, {}", one.scheme.name()), order_off(one), ORDER_OFF));
+        figures.push(Metric::below(format!("limit off theory, {}", one.scheme.name()), limit_off(one), LIMIT_OFF));
+        figures.push(Metric::below(format!("order off, {}", one.scheme.name()), order_off(one), ORDER_OFF));
     }
     figures.extend(special(&all));
     if let Some(folder) = &context.folder {
@@ -119,7 +119,7 @@ fn order_off(one: &Measured) -> f64 {
 }
 
 /// What is promised of some only.
-fn special(all: &[Measured]) -> Vec<Figure> {
+fn special(all: &[Measured]) -> Vec<Metric> {
     let once = || all.iter().filter(|one| !one.scheme.twice);
     let mut figures = Vec::new();
     for one in once().filter(|one| one.limits[0][0] == 0.0) {
@@ -129,21 +129,21 @@ fn special(all: &[Measured]) -> Vec<Figure> {
             ((growth - 1.0) / theory - 1.0).abs()
         });
         let name = format!("growth in a step off theory, {}, not stable from 0 on", one.scheme.name());
-        figures.push(Figure::below(name, off.fold(0.0, larger), GROWTH_OFF));
+        figures.push(Metric::below(name, off.fold(0.0, larger), GROWTH_OFF));
     }
     let [kept, others] =
         [true, false].map(|kept| once().filter(move |one| one.scheme.integrator.is_symplectic() == kept));
     let most = kept.map(|one| larger(one.areas[0], one.areas[1])).fold(0.0, larger);
     let least = others.map(|one| one.areas[1]).fold(f64::INFINITY, |a, b| if a.is_nan() || a <= b { a } else { b });
-    figures.push(Figure::below("change of an area, the symplectic ones", most, KEPT));
-    figures.push(Figure::above("change of an area, the least of the others", least, NOT_KEPT));
+    figures.push(Metric::below("change of an area, the symplectic ones", most, KEPT));
+    figures.push(Metric::above("change of an area, the least of the others", least, NOT_KEPT));
     let verlets = once().filter(|one| one.scheme.integrator.is_symplectic());
     let off = verlets.flat_map(|one| one.undamped.iter().zip(STIFFNESSES).take(4)).map(|(swing, k)| {
         let p = omega_dt(k);
         let angle = swing.growth_and_angle().map_or(f64::NAN, |[_, angle]| angle);
         (angle / (2.0 * (p / 2.0).asin()) - 1.0).abs()
     });
-    figures.push(Figure::below(
+    figures.push(Metric::below(
         "frequency off 2 asin(p / 2) / dt, the symplectic ones",
         off.fold(0.0, larger),
         FREQUENCY_OFF,

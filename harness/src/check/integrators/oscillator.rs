@@ -1,4 +1,4 @@
-//! S0's oscillators (sections 2.3.2 and 2.3.3), moved by the very terms that move particles.
+//! Pirovano's oscillators (sections 2.3.2 and 2.3.3), moved by the very terms that move particles.
 use super::scheme::Scheme;
 use millpond_core::arithmetic::double::Double;
 use millpond_core::arithmetic::real::{Real, real, vec3};
@@ -41,12 +41,12 @@ pub struct Oscillator {
     pub omega: f64,
     /// zeta: 0 undamped, 1 critically damped.
     pub damping: f64,
-    /// s, 1/m2: how the spring stiffens as it is stretched; 0 in S0.
+    /// s, 1/m2: how the spring stiffens as it is stretched; 0 in Pirovano.
     pub hardening: f64,
 }
 
 impl Oscillator {
-    /// One of S0's.
+    /// One of Pirovano's.
     #[must_use]
     pub fn linear(omega: f64, damping: f64) -> Oscillator {
         Oscillator { omega, damping, hardening: 0.0 }
@@ -59,7 +59,7 @@ impl Oscillator {
         x * stiffness - v * R::of(2.0 * self.damping * self.omega)
     }
 
-    /// Position, m, and velocity, m/s, after `t` seconds from these: S0 eqs. 2.39, 2.40 (per errata) and what lies between
+    /// Position, m, and velocity, m/s, after `t` seconds from these: Pirovano eqs. 2.39, 2.40 (, corrected) and what lies between
     /// them. Of a linear spring with `damping <= 1`.
     #[must_use]
     pub fn exact(&self, [x, v]: [f64; 2], t: f64) -> [f64; 2] {

@@ -1,4 +1,4 @@
-//! S0's figures 2.3 to 2.8 and 2.11 to 2.14, a panel an integrator: in one frame, those that make the same positions would hide
+//! Pirovano's figures 2.3 to 2.8 and 2.11 to 2.14, a panel an integrator: in one frame, those that make the same positions would hide
 //! each other. The analytic solution of figures 2.2 and 2.10 is the black line in each.
 use super::swings::{START, STIFFNESSES, Swing, TIME_STEP};
 use super::{Measured, NAME};
@@ -20,7 +20,7 @@ const FRAME: f64 = 2.0;
 /// Points of the analytic line in a second.
 const FINE: u32 = 60;
 
-/// A figure of S0's.
+/// A figure of Pirovano's.
 struct Sheet {
     number: &'static str,
     /// Which of [`STIFFNESSES`].
@@ -91,7 +91,7 @@ impl Sheet {
         let what = if velocity { "velocity, m/s" } else { "position, m" };
         let kind = if damped { "critically damped" } else { "undamped" };
         let k = STIFFNESSES.get(stiffness).copied().unwrap_or(f64::NAN);
-        let title = format!("S0 figure {number}: {what}, {kind}, K = {k} N/m (black: the exact motion)");
+        let title = format!("Pirovano figure {number}: {what}, {kind}, K = {k} N/m (black: the exact motion)");
         let panels = area.titled(&title, ("sans-serif", 24))?.split_evenly(PANELS);
         let once = all.iter().filter(|one| !one.scheme.twice);
         for (panel, one) in panels.iter().zip(once) {

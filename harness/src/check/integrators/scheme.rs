@@ -6,7 +6,7 @@ use millpond_core::scene::Integrator;
 pub struct Scheme {
     /// By which positions and velocities are moved.
     pub integrator: Integrator,
-    /// Are forces evaluated again with the velocity at the end of the step (`ModelChoice::reevaluate`)?
+    /// Are forces evaluated again with the velocity at the end of the step (`Formulation::reevaluate`)?
     pub twice: bool,
 }
 

@@ -1,10 +1,10 @@
-//! S0's runs: a mass of 250 kg on springs of several stiffnesses for 30 s, 0.1 s a step.
+//! Pirovano's runs: a mass of 250 kg on springs of several stiffnesses for 30 s, 0.1 s a step.
 use super::oscillator::{Motion, Oscillator};
 use super::scheme::Scheme;
 use crate::check::flow::larger;
 use millpond_core::arithmetic::double::Double;
 
-/// Stiffnesses, N/m: S0's.
+/// Stiffnesses, N/m: Pirovano's.
 pub(super) const STIFFNESSES: [f64; 5] = [100.0, 10_000.0, 15_000.0, 20_000.0, 100_000.0];
 
 /// kg, m, s.

@@ -18,7 +18,7 @@ pub(super) fn all(all: &[Measured]) -> Vec<String> {
              constant factor of each area and on another one is not: areas breathe, and energy does not drift."
         ),
         orders(all),
-        "Undamped, 30 s of S0's oscillators: amplitude of the position / of the velocity over the first, over the last 5 s, and \
+        "Undamped, 30 s of Pirovano's oscillators: amplitude of the position / of the velocity over the first, over the last 5 s, and \
          error of the frequency. K = 100000 N/m lies on omega dt = 2."
             .into(),
         undamped(all),

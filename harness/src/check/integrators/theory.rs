@@ -1,4 +1,4 @@
-//! What each scheme must do to an oscillator: its characteristic polynomial, written down from S0's equations (2.29 to 2.38 with
+//! What each scheme must do to an oscillator: its characteristic polynomial, written down from Pirovano's equations (2.29 to 2.38 with
 //! the errata) and not from the terms, and where the roots of that lie.
 //!
 //! With `u = v dt`, `alpha = a dt^2`, `p = omega dt` and `c = 2 zeta p`, a force is `alpha = -(p^2 x + c u)`. Solutions that grow by

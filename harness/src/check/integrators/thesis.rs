@@ -1,4 +1,4 @@
-//! Tables 2.1 to 2.4 of S0 beside ours, and why they differ.
+//! Tables 2.1 to 2.4 of Pirovano beside ours, and why they differ.
 use super::swings::{LAST, START, STEPS, STIFFNESSES, Swing, omega_dt};
 use super::tables::number;
 use super::{Measured, Scheme};
@@ -90,18 +90,19 @@ fn ours(ranks: &[(f64, Vec<Integrator>)], row: usize) -> String {
 
 fn stability(all: &[Measured]) -> String {
     let ranks = ranks(all, 0);
-    let titles = ["S0 table 2.1, worst first", "S0 table 2.2", "ours, by the measured limit of omega dt, undamped"];
+    let titles =
+        ["Pirovano table 2.1, worst first", "Pirovano table 2.2", "ours, by the measured limit of omega dt, undamped"];
     let row = |i| [of_thesis(UNDAMPED_POSITION, i), of_thesis(UNDAMPED_VELOCITY, i), ours(&ranks, i)];
     table(titles, (0..ranks.len().max(UNDAMPED_VELOCITY.len())).map(row))
 }
 
 fn damped_table(all: &[Measured]) -> String {
     let ranks = ranks(all, 3);
-    let titles = ["S0 table 2.3, worst first", "ours, by the measured limit of omega dt, critically damped"];
+    let titles = ["Pirovano table 2.3, worst first", "ours, by the measured limit of omega dt, critically damped"];
     table(titles, (0..ranks.len().max(DAMPED.len())).map(|i| [of_thesis(DAMPED, i), ours(&ranks, i)]))
 }
 
-/// What a run of S0's came to, undamped or critically damped.
+/// What a run of Pirovano's came to, undamped or critically damped.
 fn swing(all: &[Measured], integrator: Integrator, damped: bool, stiffness: usize) -> Option<&Swing> {
     let one = all.iter().find(|one| one.scheme == Scheme::once(integrator))?;
     let swings = if damped { &one.damped } else { &one.undamped };
@@ -121,9 +122,9 @@ fn undamped_words(all: &[Measured]) -> String {
          there, and a start that is a little off grows in proportion to time. After 30 s semi-implicit Euler's amplitude is {}, \
          Verlet's {} from x_{{-1}} = x_0 - v_0 dt and {} from our start of second order, velocity Verlet's {}, Beeman's {} from \
          a_{{-1}} = a_0 and {} from our a_{{-1}}, a step back. That is the start, not the integrator. (2) Leapfrog beside the \
-         position-corrected Beeman: the leapfrog of eq. 2.34 per errata makes velocity Verlet's positions (amplitude {} at K = \
-         10000 N/m). What S0 saw fits the two-step midpoint rule, which has the same name and is stable to omega dt = 1: {} at K \
-         = 10000 N/m, {} at 100000. (3) Clavet's is missing in S0, which takes it for leapfrog: its limit is 2 / sqrt 3, and \
+         position-corrected Beeman: the leapfrog of eq. 2.34, corrected makes velocity Verlet's positions (amplitude {} at K = \
+         10000 N/m). What Pirovano saw fits the two-step midpoint rule, which has the same name and is stable to omega dt = 1: {} at K \
+         = 10000 N/m, {} at 100000. (3) Clavet's is missing in Pirovano, which takes it for leapfrog: its limit is 2 / sqrt 3, and \
          it loses amplitude below it (to {} at K = 10000 N/m). Reproduced: Euler is worst, and the position-corrected Beeman grows, \
          though slowly, to {} in 30 s at K = 10000 N/m.\n\n\
          Table 2.2 differs for the same reasons: position and velocity are two components of one linear map and have one \
@@ -177,9 +178,9 @@ fn damped_words(all: &[Measured]) -> String {
         "Table 2.3 is reproduced but for two places. (1) Semi-implicit Euler below the modified velocity Verlet: their limits \
          are the same, 2 (sqrt 2 - 1), since with half-step velocities one is the other. At K = 15000 N/m both hold, with errors of \
          {} and {}; at 20000 N/m both grow, to {} and {}: semi-implicit Euler starts from a larger error and leaves the frame \
-         earlier. With forces evaluated twice the modified velocity Verlet holds to {:.3}. (2) The Beemans are one rank in S0, as all of \
-         them fail at 10000 N/m; their limits differ by a factor of two. Clavet's is missing in S0. The five stiffnesses lie \
-         between the limits, which is why S0 finds this order. That Euler leads belongs to critical damping alone: its limit is 2 \
+         earlier. With forces evaluated twice the modified velocity Verlet holds to {:.3}. (2) The Beemans are one rank in Pirovano, as all of \
+         them fail at 10000 N/m; their limits differ by a factor of two. Clavet's is missing in Pirovano. The five stiffnesses lie \
+         between the limits, which is why Pirovano finds this order. That Euler leads belongs to critical damping alone: its limit is 2 \
          zeta where zeta < 1.",
         error(SemiImplicitEuler, 2),
         error(ModifiedVelocityVerlet, 2),
@@ -198,7 +199,7 @@ fn accuracy(all: &[Measured]) -> String {
         let pair = |[x, v]: [f64; 2]| format!("{x} position, {v} velocity");
         [one.scheme.name(), thesis.into(), pair(local), pair(undamped), pair(damped)]
     };
-    table(["", "S0 table 2.4", "ours, one step", "ours, undamped", "ours, damped"], once.map(row))
+    table(["", "Pirovano table 2.4", "ours, one step", "ours, undamped", "ours, damped"], once.map(row))
 }
 
 const ACCURACY_WORDS: &str = "Table 2.4 mixes orders of one step with orders of a run. Its 4 and 2 of Verlet, and 4 and 3 of Beeman, \
@@ -207,5 +208,5 @@ const ACCURACY_WORDS: &str = "Table 2.4 mixes orders of one step with orders of 
     the modified velocity Verlet have a position of order 3 in one step, not 4: what makes 4 of Verlet's is the history. Leapfrog's \
     and the modified velocity Verlet's velocities are of order 3 too, the latter not of 4: without damping all three are the same \
     map. With damping the force has an older velocity, or in the modified velocity Verlet one of half a step, and all but the two \
-    corrected Beemans are of order 1. S0 does not rank these two and Clavet's; section 2.3.1 promises them 4 in position and \
+    corrected Beemans are of order 1. Pirovano does not rank these two and Clavet's; section 2.3.1 promises them 4 in position and \
     velocity, which holds for one step of the position-corrected form, and for the other's position.";

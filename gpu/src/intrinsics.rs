@@ -54,16 +54,16 @@ pub struct WordReport {
     pub differing: usize,
 }
 
-/// Tries every word on a device, with this vocabulary ([`Words::prelude`](crate::program::Words::prelude)).
+/// Tries every word on a device, with this vocabulary ([`Intrinsics::prelude`](crate::program::Intrinsics::prelude)).
 ///
 /// # Errors
 /// The device failed, or refused the program.
-pub fn try_words(gpu: &Gpu, prelude: &str) -> Result<Vec<WordReport>, GpuError> {
+pub fn test_intrinsics(gpu: &Gpu, prelude: &str) -> Result<Vec<WordReport>, GpuError> {
     let inputs = inputs();
     let results = WORDS.len() * INPUTS;
     let storage = Maker::storage(gpu);
     let from = storage.filled("words in", &inputs)?;
-    let to = storage.room("words out", results * size_of::<u32>())?;
+    let to = storage.allocate("words out", results * size_of::<u32>())?;
     let groups = INPUTS.div_ceil(WORKGROUP as usize) as u32;
     dispatch_once(gpu, "millpond.words", &program(prelude), [&from, &to], groups)?;
     let got: Vec<u32> = read(gpu, &to, results)?;

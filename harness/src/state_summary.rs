@@ -11,7 +11,7 @@ use serde::Serialize;
 
 /// A state in a few numbers.
 #[derive(Clone, Debug)]
-pub struct Census {
+pub struct StateSummary {
     /// Mean number of particles inside a support radius, each counting itself.
     pub average_neighbours: f64,
     /// Compression.
@@ -56,11 +56,11 @@ impl From<DensityError> for MeanMax {
     }
 }
 
-/// Takes the census of a state of `scene`.
+/// Takes the state_summary of a state of `scene`.
 ///
 /// # Errors
 /// A state that no step could start from.
-pub fn census(scene: &Scene, state: &Snapshot) -> Result<Census, Failure> {
+pub fn summarize(scene: &Scene, state: &Snapshot) -> Result<StateSummary, Failure> {
     let count = state.position().len();
     // walls may have moved particles into cells that are full: the index sort takes any number
     let mut scene = scene.clone();
@@ -70,13 +70,13 @@ pub fn census(scene: &Scene, state: &Snapshot) -> Result<Census, Failure> {
     scene.elasticity = Elasticity::default();
     // nor does an integrator remember anything of them
     (scene.model.integrator, scene.model.reevaluate, scene.adaptive) = (Integrator::default(), false, None);
-    let refused = |error| Failure::Scene { origin: "census".into(), error };
+    let refused = |error| Failure::Scene { origin: "state_summary".into(), error };
     let scene = &scene.check().map_err(refused)?;
     let mut heap = OwnedMemory::with(&Requirements::of(scene).for_particles(count));
     let solver = Solver::with_particles(scene, Plan::of(scene), count, state.places(), heap.lend());
     let mut solver = solver.map_err(refused)?;
     let speed = |v: &f32x4| v[..3].iter().map(|x| f64::from(*x) * f64::from(*x)).sum::<f64>().sqrt();
-    Ok(Census {
+    Ok(StateSummary {
         average_neighbours: solver.average_neighbours(),
         density_error: solver.density_error(),
         energies: solver.energies(),
