@@ -62,7 +62,7 @@ fn formulas_by_name() {
     );
     refused(
         "model.pressure_solver PressureCorrection does not go with a canonical model.pressure_force, \
-         one of Mueller's or one on Gourlay's number density: its iteration takes the whole gradient (Pirovano \
+         one of Mueller's or one on Gourlay's number density: its iteration takes the whole gradient (Pirovano, \
          section 3.2.2)",
         |s| {
             s.model.pressure_solver = PressureSolver::PressureCorrection;

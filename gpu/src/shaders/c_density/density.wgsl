@@ -21,7 +21,7 @@ fn pass_body(a: u32) {
   var sum = 0.0f;
   var near_sum = 0.0f;
   var number_sum = 0.0f;
-  let own = properties_of(v_a.w);
+  let own_properties = properties_of(v_a.w);
   for (var i = 0u; i < stencil_cells(); i += 1u) {
     let c = stencil_cell(own, i);
     let end = cell_start[c] + head.counter[c];
@@ -33,8 +33,8 @@ fn pass_body(a: u32) {
       if less(q2, 1.0f) {
         var mass_b = x_b.w;
         if m.is_multi_fluid == 1u {
-          let of_b = properties_of(new_velocity[b].w);
-          mass_b = mass_seen(own.z, x_b.w, of_b.z, of_b.y);
+          let properties_b = properties_of(new_velocity[b].w);
+          mass_b = mass_seen(own_properties.z, x_b.w, properties_b.z, properties_b.y);
         }
         if is_stepped() {
           // where the pair was in the middle of the step
@@ -51,9 +51,9 @@ fn pass_body(a: u32) {
   let k = stiffness_of(v_a.w);
   var deviation = 0.0f;
   if is_stepped() {
-    deviation = deviation_stepped(previous_density_pressure[a].x, deviation_rate(sum, x_a.w, own.z));
+    deviation = deviation_stepped(previous_density_pressure[a].x, deviation_rate(sum, x_a.w, own_properties.z));
   } else {
-    deviation = deviation_of_sum(sum, x_a.w, own.z);
+    deviation = deviation_of_sum(sum, x_a.w, own_properties.z);
   }
   var pressure = 0.0f;
   if m.pressure_solver == PRESSURE_CORRECTION {
@@ -63,6 +63,6 @@ fn pass_body(a: u32) {
   }
   let near_pressure = near_pressure_close(deviation, near_sum, k.near);
   var volume = volume_close(x_a.w, deviation);
-  if m.has_number_density_volume == 1u { volume = volume_by_number(volume, number_sum, own.y); }
+  if m.has_number_density_volume == 1u { volume = volume_by_number(volume, number_sum, own_properties.y); }
   new_density_pressure[a] = vec4(deviation, pressure_close(pressure), near_pressure, volume);
 }

@@ -7,7 +7,7 @@ fn pass_body(a: u32) {
   if m.wall_particles == MIRRORED && properties_of(new_velocity[a].w).y > 0.0f { return; }
   let x_a = new_position[a].xyz;
   let v_a = predicted(a);
-  let own = properties_of(new_velocity[a].w);
+  let own_properties = properties_of(new_velocity[a].w);
   let own = cell_of(x_a);
   var rate = 0.0f;
   for (var i = 0u; i < stencil_cells(); i += 1u) {
@@ -19,15 +19,15 @@ fn pass_body(a: u32) {
       var scale = 1.0f;
       if m.has_variable_support == 1u { scale = pair_scale(support_ratio[a], support_ratio[b]); }
       if less(squared_ratio(x_ab, scale), 1.0f) {
-        let of_b = properties_of(new_velocity[b].w);
-        let mass_b = mass_seen(own.z, x_b.w, of_b.z, of_b.y);
+        let properties_b = properties_of(new_velocity[b].w);
+        let mass_b = mass_seen(own_properties.z, x_b.w, properties_b.z, properties_b.y);
         rate = rate + continuity_neighbour(x_ab, v_a - predicted(b), mass_b, scale);
       }
     }
   }
   let state = new_density_pressure[a];
   let k = stiffness_of(new_velocity[a].w);
-  rate = deviation_rate(rate, new_position[a].w, own.z);
+  rate = deviation_rate(rate, new_position[a].w, own_properties.z);
   let inverse = inverse_correction(k.pressure_response, k.response_offset);
   let after = pressure_corrected(state.y, density_miss(state.y, state.x, rate, k.compressibility), inverse);
   new_density_pressure[a] = vec4(state.x, after, state.z, state.w);
