@@ -42,15 +42,20 @@ const CHANGES: &[(&str, OnCpu, OnGpu, InScene)] = &[
     ),
     ("no wind", |s| s.set_wind(None), |s| s.set_wind(None), |s| s.wind = None),
     ("time step", |s| s.set_time_step(0.0007), |s| s.set_time_step(0.0007), |s| s.time_step = 0.0007),
-    ("viscosity", |s| s.set_viscosity(0, 9.0), |s| s.set_viscosity(0, 9.0), |s| s.fluid.dynamic_viscosity = 9.0),
+    ("viscosity", |s| s.set_viscosity(0, 9.0), |s| s.set_viscosity(0, 9.0), |s| s.fluids[0].dynamic_viscosity = 9.0),
     (
         "tension",
         |s| s.set_surface_tension(0, 8.0),
         |s| s.set_surface_tension(0, 8.0),
-        |s| s.fluid.surface_tension = 8.0,
+        |s| s.fluids[0].surface_tension = 8.0,
     ),
-    ("sound", |s| s.set_speed_of_sound(0, 14.0), |s| s.set_speed_of_sound(0, 14.0), |s| s.fluid.speed_of_sound = 14.0),
-    ("stiffness", |s| s.set_stiffness(0, 9e3), |s| s.set_stiffness(0, 9e3), |s| s.fluid.stiffness = Some(9e3)),
+    (
+        "sound",
+        |s| s.set_speed_of_sound(0, 14.0),
+        |s| s.set_speed_of_sound(0, 14.0),
+        |s| s.fluids[0].speed_of_sound = 14.0,
+    ),
+    ("stiffness", |s| s.set_stiffness(0, 9e3), |s| s.set_stiffness(0, 9e3), |s| s.fluids[0].stiffness = Some(9e3)),
 ];
 
 fn memory(scene: &Scene) -> OwnedMemory {
@@ -145,12 +150,12 @@ fn a_displacement_that_is_remembered_follows_the_time_step() {
 fn what_the_plan_left_out_is_refused_by_name_unless_it_is_live() {
     let mut still = scene();
     (still.gravity, still.wind) = ([0.0; 3], None);
-    (still.fluid.dynamic_viscosity, still.fluid.surface_tension) = (0.0, 0.0);
+    (still.fluids[0].dynamic_viscosity, still.fluids[0].surface_tension) = (0.0, 0.0);
     let cases: [(Adjustable, OnCpu, &str); 4] = [
         (Adjustable::Gravity, |s| s.set_gravity([0.0, -1.0, 0.0]), "gravity"),
         (Adjustable::Wind, |s| s.set_wind(Some(Wind { velocity: [1.0, 0.0, 0.0], drag: 1.0 })), "wind"),
-        (Adjustable::Viscosity, |s| s.set_viscosity(0, 1.0), "fluid.dynamic_viscosity"),
-        (Adjustable::SurfaceTension, |s| s.set_surface_tension(0, 1.0), "fluid.surface_tension"),
+        (Adjustable::Viscosity, |s| s.set_viscosity(0, 1.0), "dynamic_viscosity"),
+        (Adjustable::SurfaceTension, |s| s.set_surface_tension(0, 1.0), "fluids[0].surface_tension"),
     ];
     for (live, change, field) in cases {
         let mut keeps = still.clone();
@@ -181,7 +186,7 @@ fn a_speed_of_sound_that_follows_cannot_be_set() {
     let refused = solver.set_speed_of_sound(0, 30.0).expect_err("it follows from the time step");
     assert!(refused.to_string().contains("stiffness_for_time_step"), "{refused}");
     let mut free = scene();
-    (free.model.surface_tension, free.fluid.surface_tension) = (SurfaceTension::Off, 0.0);
+    (free.model.surface_tension, free.fluids[0].surface_tension) = (SurfaceTension::Off, 0.0);
     let mut heap = memory(&free);
     let mut solver = Solver::new(&free, heap.lend()).expect("a scene");
     let refused = solver.set_surface_tension(0, 1.0).expect_err("there is no model of it");
@@ -217,7 +222,7 @@ fn what_no_scene_can_have_is_refused_and_changes_nothing() {
         (scene(), |s| s.set_gravity([f32::NAN, 0.0, 0.0]), "gravity"),
         (scene(), |s| s.set_gravity([0.0, 0.0, 1.0]), "2D"),
         (scene(), |s| s.set_time_step(-1.0), "time_step"),
-        (scene(), |s| s.set_viscosity(0, f32::INFINITY), "fluid.dynamic_viscosity"),
+        (scene(), |s| s.set_viscosity(0, f32::INFINITY), "dynamic_viscosity"),
         (scene(), |s| s.set_viscosity(1, 1.0), "set_viscosity"),
         (scene(), |s| s.set_speed_of_sound(0, 0.0), "fluid.speed_of_sound"),
         (adaptive, |s| s.set_time_step(0.001), "adaptive"),

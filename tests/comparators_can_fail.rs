@@ -13,7 +13,7 @@ use support::device;
 /// A moving fluid.
 fn state() -> Snapshot {
     let mut scene = support::scaled("dam-break", 300).file.scene;
-    (scene.model.internal_energy, scene.model.surface_normals, scene.fluid.xsph) = (true, true, 0.2);
+    (scene.model.internal_energy, scene.model.surface_normals, scene.model.xsph) = (true, true, 0.2);
     let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
     let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
     (0..20).for_each(|_| solver.step(&Serial).expect("a step"));
@@ -124,7 +124,7 @@ fn compare_tells_of_a_plain_device_that_strays_by_more_than_one_percent() {
             let Some(gpu) = device("comparators_can_fail", Mode::Plain) else { return };
             let named = support::scaled("dam-break-2d", 200);
             let scene = &named.file.scene;
-            let whole = if array == Array::position { scene.particle_spacing } else { scene.fluid.speed_of_sound };
+            let whole = if array == Array::position { scene.particle_spacing } else { scene.fluids[0].speed_of_sound };
             let by = share * 0.01 * whole;
             let mut tamper = |step: u64, state: &mut Snapshot| {
                 if step == 2 {

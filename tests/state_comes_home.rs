@@ -16,7 +16,7 @@ fn scene(name: &str) -> Scene {
     let mut scene = support::scaled(name, 400).file.scene;
     if name == "dam-break-2d" {
         scene.model.integrator = millpond_core::scene::Integrator::Beeman;
-        (scene.fluid.xsph, scene.model.internal_energy) = (0.3, true);
+        (scene.model.xsph, scene.model.internal_energy) = (0.3, true);
     }
     if name == "elastic-cube" {
         scene.elasticity.plasticity = Some(millpond_core::scene::Plasticity { rate: 20.0, yield_strain: 0.001 });
@@ -119,7 +119,7 @@ fn of_a_scene_that_iterates_more_often_they_are_refused() {
 fn bytes_that_are_not_its_own_are_refused_by_name() {
     let scene = scene("dam-break-2d");
     let mut other_scene = scene.clone();
-    other_scene.fluid.rest_density = 900.0;
+    other_scene.fluids[0].rest_density = 900.0;
     let (mut first, mut second) = (memory(&scene), memory(&other_scene));
     let mut solver = Solver::new(&scene, first.lend()).expect("a scene");
     let other = Solver::new(&other_scene, second.lend()).expect("a scene");

@@ -115,7 +115,7 @@ impl LiveScene {
 
     /// How many materials it has: fluids, blocks, walls.
     pub(crate) fn materials(&self) -> [usize; 3] {
-        [1 + self.scene.other_fluids.len(), self.scene.blocks.len(), self.scene.walls.len()]
+        [self.scene.fluids.len(), self.scene.blocks.len(), self.scene.walls.len()]
     }
 
     /// The scene's time step, s.
@@ -129,7 +129,7 @@ impl LiveScene {
     pub fn values(&self) -> LiveValues {
         let scene = &self.scene;
         let mut fluids = [[0.0; LiveValues::OF_FLUID]; FLUIDS];
-        for (values, fluid) in fluids.iter_mut().zip(scene.fluids()) {
+        for (values, fluid) in fluids.iter_mut().zip(scene.fluids.iter()) {
             let Fluid { dynamic_viscosity, surface_tension, speed_of_sound, stiffness, .. } = *fluid;
             *values = [dynamic_viscosity, surface_tension, speed_of_sound, stiffness.unwrap_or(0.0)];
         }
@@ -147,7 +147,7 @@ impl LiveScene {
         next.scene.gravity = values.gravity;
         next.scene.wind = values.has_wind.then_some(Wind { velocity: [x, y, z], drag });
         next.scene.time_step = values.time_step;
-        let fluids = core::iter::once(&mut next.scene.fluid).chain(&mut next.scene.other_fluids);
+        let fluids = next.scene.fluids.iter_mut();
         for (fluid, [viscosity, tension, sound, stiffness]) in fluids.zip(values.fluids) {
             (fluid.dynamic_viscosity, fluid.surface_tension, fluid.speed_of_sound) = (viscosity, tension, sound);
             fluid.stiffness = (stiffness > 0.0).then_some(stiffness);
@@ -210,7 +210,7 @@ impl LiveScene {
                 let fluid = self.fluid("set_speed_of_sound", fluid)?;
                 fluid.speed_of_sound = speed;
                 if fluid.stiffness.is_some() {
-                    let (choice, other) = ("set_speed_of_sound", "fluid.stiffness");
+                    let (choice, other) = ("set_speed_of_sound", "stiffness");
                     let why = "the speed of sound follows from the stiffness: set that";
                     return Err(SceneError::NotTogether { choice, other, why });
                 }
@@ -240,8 +240,8 @@ impl LiveScene {
     }
 
     fn fluid(&mut self, field: &'static str, number: u32) -> Result<&mut Fluid, SceneError> {
-        let fluids = self.scene.fluids().count() as u32;
-        let all = core::iter::once(&mut self.scene.fluid).chain(&mut self.scene.other_fluids);
+        let fluids = self.scene.fluids.iter().count() as u32;
+        let all = self.scene.fluids.iter_mut();
         all.into_iter().nth(number as usize).ok_or(SceneError::NoSuchFluid { field, fluid: number, fluids })
     }
 }

@@ -144,7 +144,7 @@ fn when_a_step_is_refused() {
     // so stiff that hundreds fly out of the grid's range at once, and cells that fill up: whoever is looked at first, the
     // same one is told
     let mut stiff = dam_break_2d(0.5);
-    stiff.fluid.speed_of_sound = 1e12;
+    stiff.fluids[0].speed_of_sound = 1e12;
     let mut crowded = falling::impact();
     crowded.grid.structure = GridStructure::CellLists { places: 13 };
     for scene in [stiff, crowded] {

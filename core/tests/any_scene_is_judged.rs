@@ -16,11 +16,11 @@ type Change = fn(&mut Scene, f32);
 const CHANGES: [Change; 18] = [
     |s, x| s.particle_spacing = x,
     |s, x| s.average_neighbours = x,
-    |s, x| s.fluid.average_neighbours = Some(x),
+    |s, x| s.fluids[0].average_neighbours = Some(x),
     |s, x| s.time_step = x,
-    |s, x| s.fluid.rest_density = x,
-    |s, x| s.fluid.speed_of_sound = x,
-    |s, x| s.fluid.elastic_stiffness = x,
+    |s, x| s.fluids[0].rest_density = x,
+    |s, x| s.fluids[0].speed_of_sound = x,
+    |s, x| s.fluids[0].elastic_stiffness = x,
     |s, x| s.blocks.iter_mut().for_each(|block| block.size = [x; 3]),
     |s, x| s.blocks.iter_mut().for_each(|block| block.corner = [x; 3]),
     |s, x| s.blocks.iter_mut().for_each(|block| block.jitter = x),
@@ -41,7 +41,7 @@ fn scene(dimension: Dimension) -> Scene {
     let jelly = Fluid { elastic_stiffness: 10.0, ..Fluid::default() };
     let block = Block { size: [0.3; 3], ..Block::default() };
     let mut scene = Scene::of(dimension, 0.05, 0.001, jelly, block);
-    scene.other_fluids = [Fluid::default()].into_iter().collect();
+    scene.fluids.extend([Fluid::default()]);
     scene.blocks = [block, block].into_iter().collect();
     scene.container = Some(Container::closed([0.0; 3], [1.0; 3]));
     scene.model.normalize_mass = true;

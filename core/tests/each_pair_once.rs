@@ -109,8 +109,8 @@ fn collision(light: Option<f32>) -> Scene {
     let mut other = Block { corner: [0.32, 0.1, 0.05], velocity: [-1.0, 0.0, 0.1], ..block };
     scene.periodic = Some(Periodic { low: [0.0; 3], high: [0.7, 1.0, 1.0], axes: [true, false, false] });
     if let Some(rest_density) = light {
-        let light = Fluid { rest_density, speed_of_sound: 18.0, dynamic_viscosity: 1.0, ..scene.fluid };
-        scene.other_fluids.push(light).expect("room for a fluid");
+        let light = Fluid { rest_density, speed_of_sound: 18.0, dynamic_viscosity: 1.0, ..scene.fluids[0] };
+        scene.fluids.push(light).expect("room for a fluid");
         other.fluid = 1;
     }
     scene.blocks.push(other).expect("room for a block");
@@ -131,7 +131,7 @@ fn it_computes_what_the_full_stencil_does() {
                     let mut scene = collision(light);
                     scene.model = Formulation { density, pressure_force, viscosity, ..scene.model };
                     scene.model.viscosity_kernel = Kernel::CubicSpline;
-                    scene.fluid.alpha = 0.5;
+                    scene.model.alpha = 0.5;
                     let half = half(&scene);
                     if scene.check().is_err() {
                         // what does not go together does not with either

@@ -4,14 +4,14 @@ use millpond_core::{Axis, Quantity, RestoreError, SceneError, StepError};
 #[test]
 fn of_a_scene() {
     use SceneError::*;
-    let (axis, field) = (Axis::Y, "fluid.xsph");
+    let (axis, field) = (Axis::Y, "model.xsph");
     let scenes = [
-        (NotFinite { field, value: f32::NAN }, "fluid.xsph is NaN, which is not a finite number"),
-        (NotFinite { field, value: f32::INFINITY }, "fluid.xsph is inf, which is not a finite number"),
-        (NotPositive { field, value: 0.0 }, "fluid.xsph is 0, and must be larger than 0"),
-        (Negative { field, value: -0.5 }, "fluid.xsph is -0.5, and must not be negative"),
-        (NotAShare { field, value: 1.5 }, "fluid.xsph is 1.5, and must lie between 0 and 1"),
-        (OutOfBounds { field, value: 3.0, least: 1.0, most: 2.0 }, "fluid.xsph is 3, and must lie between 1 and 2"),
+        (NotFinite { field, value: f32::NAN }, "model.xsph is NaN, which is not a finite number"),
+        (NotFinite { field, value: f32::INFINITY }, "model.xsph is inf, which is not a finite number"),
+        (NotPositive { field, value: 0.0 }, "model.xsph is 0, and must be larger than 0"),
+        (Negative { field, value: -0.5 }, "model.xsph is -0.5, and must not be negative"),
+        (NotAShare { field, value: 1.5 }, "model.xsph is 1.5, and must lie between 0 and 1"),
+        (OutOfBounds { field, value: 3.0, least: 1.0, most: 2.0 }, "model.xsph is 3, and must lie between 1 and 2"),
         (EmptyContainer { axis, low: 1.0, high: 0.5 }, "container has no inside along y: low 1 m, high 0.5 m"),
         (OutOfPlane, "a scene in 2D has gravity, a place or a velocity along z"),
         (
@@ -44,7 +44,7 @@ fn of_a_scene() {
             "time_step lets sound travel 2 spacings, and the literal pressure correction converges up to 1.5: use \
              model.correction.iteration Relaxed, or smaller steps",
         ),
-        (OutOfScale { field, value: 3.0 }, "fluid.xsph is 3, which makes constants that no f32 can hold"),
+        (OutOfScale { field, value: 3.0 }, "model.xsph is 3, which makes constants that no f32 can hold"),
         (PlanOfAnotherScene, "the plan was made for another scene"),
         (UnplannedParticle { particle: 7 }, "particle 7 has a kind or a mass that no particle of the scene has"),
         (
@@ -120,8 +120,8 @@ fn of_bytes() {
         ),
         (RestoreError::Damaged, "the saved bytes are damaged: their checksum does not match"),
         (
-            RestoreError::Scene(SceneError::Negative { field: "fluid.xsph", value: -0.5 }),
-            "the values that were saved are not those of a scene: fluid.xsph is -0.5, and must not be negative",
+            RestoreError::Scene(SceneError::Negative { field: "model.xsph", value: -0.5 }),
+            "the values that were saved are not those of a scene: model.xsph is -0.5, and must not be negative",
         ),
     ];
     for (error, sentence) in restores {

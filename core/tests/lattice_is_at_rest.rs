@@ -162,7 +162,7 @@ fn density_and_pressure_at_rest() {
             assert_abs_diff_eq!(lattice_sum, 1.0, epsilon = 8.7e-4);
         }
         // Tait at that density; it multiplies the rounding of density by 7 c0^2 rho0 / 7, so 22^2 * 1000 * 2e-6 Pa
-        let c2 = f64::from(scene.fluid.speed_of_sound).powi(2);
+        let c2 = f64::from(scene.fluids[0].speed_of_sound).powi(2);
         let tait = 1000.0 * c2 / 7.0 * (lattice_sum.powi(7) - 1.0);
         assert_abs_diff_eq!(f64::from(middle.pressure), tait, epsilon = c2 * 1000.0 * 2e-6);
         // and in the middle of a lattice nothing pushes

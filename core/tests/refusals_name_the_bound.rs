@@ -20,16 +20,16 @@ fn numbers_out_of_bounds() {
         let (field, value) = ("model.correction.iterations", iterations as f32);
         assert_eq!(result, Err(SceneError::OutOfBounds { field, value, least: 1.0, most: 200.0 }));
     }
-    let result = scene(|s| s.fluid.elastic_stiffness = 1e38);
-    assert_eq!(result, Err(SceneError::OutOfScale { field: "fluid.elastic_stiffness", value: 1e38 }));
+    let result = scene(|s| s.fluids[0].elastic_stiffness = 1e38);
+    assert_eq!(result, Err(SceneError::OutOfScale { field: "fluids[0].elastic_stiffness", value: 1e38 }));
     let result = scene(|s| s.blocks[0].fluid = 1);
     assert_eq!(result, Err(SceneError::NoSuchFluid { field: "blocks.fluid", fluid: 1, fluids: 1 }));
     let result = scene(|s| {
-        let _ = s.other_fluids.push(Fluid { rest_density: -1.0, ..Fluid::default() });
+        let _ = s.fluids.push(Fluid { rest_density: -1.0, ..Fluid::default() });
     });
-    assert_eq!(result, Err(SceneError::NotPositive { field: "other_fluids.rest_density", value: -1.0 }));
+    assert_eq!(result, Err(SceneError::NotPositive { field: "fluids[1].rest_density", value: -1.0 }));
     let plasticity = Some(Plasticity { rate: 2000.0, yield_strain: 0.1 });
-    let result = scene(|s| (s.fluid.elastic_stiffness, s.elasticity.plasticity) = (10.0, plasticity));
+    let result = scene(|s| (s.fluids[0].elastic_stiffness, s.elasticity.plasticity) = (10.0, plasticity));
     assert!(matches!(result, Err(SceneError::OutOfBounds { field: "elasticity.plasticity.rate", .. })), "{result:?}");
     let result =
         scene(|s| s.acceleration_field = Some(AccelerationField { low: [0.0; 3], spacing: 0.1, counts: [4, 1, 4] }));

@@ -21,7 +21,7 @@ fn refused(sentence: &str, change: impl FnOnce(&mut Scene)) {
 
 /// A second fluid that makes a coat of air.
 fn air(s: &mut Scene) {
-    let _ = s.other_fluids.push(Fluid::default());
+    let _ = s.fluids.push(Fluid::default());
     s.air = Some(Air { fluid: 1, capacity: 10, threshold: 0.5, minimum_density: 0.5 });
 }
 
@@ -147,23 +147,26 @@ fn starts_and_surroundings_by_name() {
 #[test]
 fn properties_of_fluids_by_name() {
     refused(
-        "fluid.stiffness does not go with an equation_of_state other than Tait: it is the constant of \
+        "fluids[0].stiffness does not go with an equation_of_state other than Tait: it is the constant of \
          that equation",
         |s| {
-            s.fluid.stiffness = Some(1000.0);
+            s.fluids[0].stiffness = Some(1000.0);
             s.model.equation_of_state = EquationOfState::Linear;
         },
     );
-    refused("fluid.stiffness does not go with model.pressure_solver PressureCorrection: nothing would use it", |s| {
-        s.fluid.stiffness = Some(1000.0);
-        s.model.pressure_solver = PressureSolver::PressureCorrection;
-        s.model.pressure_force = PressureForce::Monaghan;
-    });
     refused(
-        "fluid.equation_of_state does not go with model.pressure_solver PressureCorrection: pressure is \
+        "fluids[0].stiffness does not go with model.pressure_solver PressureCorrection: nothing would use it",
+        |s| {
+            s.fluids[0].stiffness = Some(1000.0);
+            s.model.pressure_solver = PressureSolver::PressureCorrection;
+            s.model.pressure_force = PressureForce::Monaghan;
+        },
+    );
+    refused(
+        "fluids[0].equation_of_state does not go with model.pressure_solver PressureCorrection: pressure is \
          iterated for all fluids, so that nothing would use it",
         |s| {
-            s.fluid.equation_of_state = Some(EquationOfState::Tait);
+            s.fluids[0].equation_of_state = Some(EquationOfState::Tait);
             s.model.pressure_solver = PressureSolver::PressureCorrection;
             s.model.pressure_force = PressureForce::Monaghan;
         },
@@ -172,23 +175,20 @@ fn properties_of_fluids_by_name() {
         "other_fluids.stiffness does not go with an equation_of_state other than Tait: it is the constant of \
          that equation",
         |s| {
-            let _ = s.other_fluids.push(Fluid {
+            let _ = s.fluids.push(Fluid {
                 stiffness: Some(1000.0),
                 equation_of_state: Some(EquationOfState::Linear),
                 ..Fluid::default()
             });
         },
     );
-    refused("other_fluids.alpha does not go with another of the first fluid's: it is the scene's, one for all", |s| {
-        let _ = s.other_fluids.push(Fluid { alpha: 0.5, ..Fluid::default() });
-    });
     refused(
         "model.viscosity MuellerAdapted does not go with a model.density and a model.pressure_force that \
          are not adapted: no number density is there for it",
         |s| s.model.viscosity = Viscosity::MuellerAdapted,
     );
-    refused("fluid.surface_tension does not go with model.surface_tension Off: nothing would use it", |s| {
-        s.fluid.surface_tension = 1.0;
+    refused("fluids[0].surface_tension does not go with model.surface_tension Off: nothing would use it", |s| {
+        s.fluids[0].surface_tension = 1.0;
     });
     refused(
         "model.surface_tension Curvature does not go with a model.density_kernel with an edge at no \
@@ -197,11 +197,11 @@ fn properties_of_fluids_by_name() {
             (s.model.surface_tension, s.model.density_kernel) = (SurfaceTension::Curvature, Kernel::Spiky);
         },
     );
-    refused("elasticity does not go with no fluid.elastic_stiffness: nothing would use it", |s| {
+    refused("elasticity does not go with an elastic_stiffness of 0 in every fluid: nothing would use it", |s| {
         s.elasticity.break_at = Some(0.1);
     });
-    refused("fluid.near_stiffness does not go with model.near_pressure Off: nothing would use it", |s| {
-        s.fluid.near_stiffness = Some(1.0);
+    refused("fluids[0].near_stiffness does not go with model.near_pressure Off: nothing would use it", |s| {
+        s.fluids[0].near_stiffness = Some(1.0);
         s.model.near_pressure = NearPressure::Off;
     });
 }
@@ -262,7 +262,7 @@ fn integrators_by_name() {
         },
     );
     let exchanges: [fn(&mut Scene); 2] =
-        [|s| s.model.viscosity = Viscosity::VelocityExchange, |s| s.fluid.radial_exchange = 0.1];
+        [|s| s.model.viscosity = Viscosity::VelocityExchange, |s| s.model.radial_exchange = 0.1];
     for exchange in exchanges {
         refused(
             "adaptive does not go with exchanges of velocity: their shares are of a step, so that with its \
@@ -294,8 +294,8 @@ fn what_follows_from_a_time_step_by_name() {
             (s.stiffness_for_time_step, s.adaptive) = (Some(0.2), Some(AdaptiveTimeStep::default()));
         },
     );
-    refused("stiffness_for_time_step does not go with fluid.stiffness: it already says how stiff", |s| {
-        (s.stiffness_for_time_step, s.fluid.stiffness) = (Some(0.2), Some(1000.0));
+    refused("stiffness_for_time_step does not go with fluids[0].stiffness: it already says how stiff", |s| {
+        (s.stiffness_for_time_step, s.fluids[0].stiffness) = (Some(0.2), Some(1000.0));
     });
     refused(
         "stiffness_for_time_step does not go with model.pressure_solver PressureCorrection: sound that \
@@ -312,7 +312,7 @@ fn air_and_integrators_by_name() {
     use Integrator::*;
     for &integrator in Integrator::ALL {
         let with_air = |s: &mut Scene| {
-            let _ = s.other_fluids.push(Fluid::default());
+            let _ = s.fluids.push(Fluid::default());
             s.air = Some(Air { fluid: 1, capacity: 10, threshold: 0.5, minimum_density: 0.5 });
             s.model.integrator = integrator;
         };
@@ -332,7 +332,7 @@ fn air_and_integrators_by_name() {
 fn a_literal_iteration_that_cannot_converge() {
     let literal = |speed_of_sound: f32| {
         scene(|s| {
-            s.fluid.speed_of_sound = speed_of_sound;
+            s.fluids[0].speed_of_sound = speed_of_sound;
             s.model.pressure_solver = PressureSolver::PressureCorrection;
             s.model.pressure_force = PressureForce::Monaghan;
             s.model.correction.iteration = Iteration::Literal;
@@ -355,7 +355,7 @@ fn what_the_half_stencil_cannot_do_by_name() {
     assert_eq!(
         scene(|s| {
             half(s);
-            (s.model.surface_tension, s.fluid.surface_tension) = (SurfaceTension::Attraction, 1.0);
+            (s.model.surface_tension, s.fluids[0].surface_tension) = (SurfaceTension::Attraction, 1.0);
             s.model.near_pressure = NearPressure::DoubleDensity;
         }),
         Ok(())
@@ -377,7 +377,7 @@ fn what_the_half_stencil_cannot_do_by_name() {
     });
     refused("model.initialize_hydrostatic and a model.surface_tension between pairs", alike, &|s| {
         s.model.initialize_hydrostatic = true;
-        (s.model.surface_tension, s.fluid.surface_tension) = (SurfaceTension::GradientSum, 1.0);
+        (s.model.surface_tension, s.fluids[0].surface_tension) = (SurfaceTension::GradientSum, 1.0);
     });
     refused("model.variable_support", "it searches by one support for all", &|s| {
         s.model.variable_support = Some(SupportRange { smallest: 0.9, largest: 1.1 });
@@ -388,7 +388,7 @@ fn what_the_half_stencil_cannot_do_by_name() {
     }
     refused("model.pressure_solver PressureCorrection", once, &|s| {
         s.model.pressure_solver = PressureSolver::PressureCorrection;
-        (s.model.pressure_force, s.fluid.speed_of_sound) = (PressureForce::Monaghan, 1.0);
+        (s.model.pressure_force, s.fluids[0].speed_of_sound) = (PressureForce::Monaghan, 1.0);
     });
     for tension in [SurfaceTension::Curvature, SurfaceTension::NormalCurvature] {
         refused("a model.surface_tension by curvature", once, &|s| {
@@ -398,7 +398,7 @@ fn what_the_half_stencil_cannot_do_by_name() {
     refused("model.surface_normals", once, &|s| s.model.surface_normals = true);
     refused("model.internal_energy", once, &|s| s.model.internal_energy = true);
     refused("model.viscosity Exchange", once, &|s| s.model.viscosity = Viscosity::VelocityExchange);
-    refused("fluid.radial_exchange", once, &|s| s.fluid.radial_exchange = 0.1);
-    refused("fluid.xsph", once, &|s| s.fluid.xsph = 0.1);
+    refused("model.radial_exchange", once, &|s| s.model.radial_exchange = 0.1);
+    refused("model.xsph", once, &|s| s.model.xsph = 0.1);
     refused("air", once, &air);
 }

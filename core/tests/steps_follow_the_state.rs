@@ -19,9 +19,9 @@ fn wanted(scene: &Scene, solver: &Solver<'_>) -> f64 {
     let speed = state.velocity.iter().map(length).fold(0.0, f64::max);
     let acceleration = state.acceleration.iter().map(length).fold(0.0, f64::max);
     let densest = state.density_pressure.iter().map(|d| 1.0 + f64::from(d[0])).fold(0.0, f64::max);
-    let sound = f64::from(scene.fluid.speed_of_sound) * densest.powi(3);
+    let sound = f64::from(scene.fluids[0].speed_of_sound) * densest.powi(3);
     let support = support_radius(scene);
-    let nu = f64::from(scene.fluid.dynamic_viscosity / scene.fluid.rest_density);
+    let nu = f64::from(scene.fluids[0].dynamic_viscosity / scene.fluids[0].rest_density);
     let limits = [
         adaptive.speed.map(|c| f64::from(c) * support / speed),
         adaptive.acceleration.map(|c| f64::from(c) * (support / acceleration).sqrt()),
@@ -131,9 +131,9 @@ fn a_refused_step_leaves_the_clock_alone() {
 #[test]
 fn the_lighter_of_two_fluids_is_moved_the_more() {
     let mut scene = falling();
-    scene.fluid.dynamic_viscosity = 100.0;
+    scene.fluids[0].dynamic_viscosity = 100.0;
     assert_relative_eq!(checked(&scene).derived().kinematic_viscosity, 0.1);
-    let _ = scene.other_fluids.push(Fluid { rest_density: 1.0, dynamic_viscosity: 0.0, ..Fluid::default() });
+    let _ = scene.fluids.push(Fluid { rest_density: 1.0, dynamic_viscosity: 0.0, ..Fluid::default() });
     // at the interface the mean of 100 and 0 Pa s acts on 1 kg/m3
     assert_relative_eq!(checked(&scene).derived().kinematic_viscosity, 50.0);
 }
@@ -142,10 +142,10 @@ fn the_lighter_of_two_fluids_is_moved_the_more() {
 fn stiffness_follows_a_wanted_step() {
     let mut scene = falling();
     (scene.adaptive, scene.stiffness_for_time_step, scene.time_step) = (None, Some(0.2), 5e-4);
-    let _ = scene.other_fluids.push(Fluid { speed_of_sound: 5.0, ..Fluid::default() });
+    let _ = scene.fluids.push(Fluid { speed_of_sound: 5.0, ..Fluid::default() });
     let fastest = 0.2 * support_radius(&scene) / 5e-4;
-    assert_relative_eq!(speed_of_sound(&scene, &scene.fluid), fastest, max_relative = 1e-6);
-    assert_relative_eq!(speed_of_sound(&scene, &scene.other_fluids[0]), fastest / 4.0, max_relative = 1e-6);
+    assert_relative_eq!(speed_of_sound(&scene, &scene.fluids[0]), fastest, max_relative = 1e-6);
+    assert_relative_eq!(speed_of_sound(&scene, &scene.fluids[1]), fastest / 4.0, max_relative = 1e-6);
     let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
     let solver = Solver::new(&scene, heap.lend()).expect("a scene");
     assert_relative_eq!(solver.courant(scene.time_step).sound, 0.2, max_relative = 0.02);
@@ -201,7 +201,7 @@ fn only_what_remembers_has_memory_for_it() {
             "{integrator:?}"
         );
         assert!(!has(&needs, Array::end_velocity));
-        scene.fluid.xsph = 0.1;
+        scene.model.xsph = 0.1;
         assert!(has(&Requirements::of(&checked(&scene)), Array::end_velocity));
     }
 }

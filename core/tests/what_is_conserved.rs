@@ -21,7 +21,8 @@ fn collision(model: Formulation) -> Scene {
 }
 
 fn momentum(scene: &Scene, solver: &Solver<'_>) -> [f64; 3] {
-    let over_density = scene.check().expect("a scene").derived().particle_mass / f64::from(scene.fluid.rest_density);
+    let over_density =
+        scene.check().expect("a scene").derived().particle_mass / f64::from(scene.fluids[0].rest_density);
     let mass = |fluid: u32| over_density * f64::from(scene.fluid_of(fluid).rest_density);
     let sum = |axis: usize| solver.particles().map(|p| mass(p.fluid) * f64::from(p.velocity[axis])).sum();
     [sum(0), sum(1), sum(2)]
@@ -44,14 +45,14 @@ const ROUNDING: f64 = 48.0 * 3e-6;
 /// The second of the two drops of another fluid, lighter, and both of them pulled together.
 fn two_fluids(model: Formulation) -> Scene {
     let mut scene = collision(Formulation { negative_pressure: false, viscosity_kernel: Kernel::CubicSpline, ..model });
-    let light = Fluid { rest_density: 700.0, speed_of_sound: 18.0, dynamic_viscosity: 1.0, ..scene.fluid };
-    let _ = scene.other_fluids.push(light);
+    let light = Fluid { rest_density: 700.0, speed_of_sound: 18.0, dynamic_viscosity: 1.0, ..scene.fluids[0] };
+    let _ = scene.fluids.push(light);
     scene.blocks[1].fluid = 1;
     // shares that come to less than 1 for all, so that none is cut down
-    scene.fluid.velocity_exchange = 0.02;
+    scene.model.velocity_exchange = 0.02;
     let tension = if model.surface_tension == SurfaceTension::Off { 0.0 } else { 4.0 };
-    scene.fluid.surface_tension = tension;
-    scene.other_fluids[0].surface_tension = tension;
+    scene.fluids[0].surface_tension = tension;
+    scene.fluids[1].surface_tension = tension;
     scene
 }
 
@@ -87,7 +88,7 @@ fn momentum_by_tensions_between_pairs_and_by_springs() {
         let keeps =
             matches!(surface_tension, SurfaceTension::Off | SurfaceTension::Attraction | SurfaceTension::GradientSum);
         let mut scene = two_fluids(Formulation { surface_tension, ..Formulation::multiphase() });
-        scene.fluid.elastic_stiffness = 500.0;
+        scene.fluids[0].elastic_stiffness = 500.0;
         let strayed = strayed(&scene);
         let as_promised = if keeps { strayed < ROUNDING } else { strayed > 10.0 * ROUNDING };
         assert!(as_promised, "{surface_tension:?}: {strayed} kg m/s");
@@ -142,13 +143,12 @@ fn energy_to_the_order_of_the_integrator() {
             if several {
                 scene = two_fluids(Formulation { pressure_force: PressureForce::DensityWeighted, ..model });
                 scene.model.negative_pressure = true;
-                scene.other_fluids[0].elastic_stiffness = 300.0;
+                scene.fluids[1].elastic_stiffness = 300.0;
             }
             scene.gravity = [0.0, -9.81, 0.0];
             scene.time_step = 0.0008 / f32::from(refinement);
             // a share a step: the same a second
-            scene.fluid.velocity_exchange = 0.04 / f32::from(refinement);
-            scene.other_fluids.iter_mut().for_each(|fluid| fluid.velocity_exchange = scene.fluid.velocity_exchange);
+            scene.model.velocity_exchange = 0.04 / f32::from(refinement);
             let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
             let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
             let total = |solver: &Solver<'_>| {
@@ -176,12 +176,12 @@ fn energy_to_the_order_of_the_integrator() {
 fn an_even_motion_of_everything_is_no_motion() {
     // a full periodic box drifts by whole spacings; nothing may act
     let block = Block { size: [0.4, 0.4, 0.0], velocity: [1.0, -0.5, 0.0], ..Block::default() };
-    let water = Fluid { dynamic_viscosity: 1.0, xsph: 0.5, ..Fluid::default() };
+    let water = Fluid { dynamic_viscosity: 1.0, ..Fluid::default() };
     let mut scene = Scene::of(Dimension::Two, 0.025, 0.001, water, block);
     scene.average_neighbours = 20.0;
     scene.periodic = Some(Periodic { low: [0.0; 3], high: [0.4, 0.4, 0.0], axes: [true, true, false] });
     for evaluation in [Evaluation::Direct, Evaluation::Table] {
-        scene.model = Formulation { evaluation, ..Formulation::modern() };
+        scene.model = Formulation { evaluation, xsph: 0.5, ..Formulation::modern() };
         let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
         let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
         (0..200).for_each(|_| solver.step(&Serial).expect("a step"));

@@ -16,7 +16,7 @@ pub(crate) const DENSITY_LIMIT: f64 = 0.1;
 /// Fastest sound of a scene, m/s; none where pressure is iterated, and no sound limits the step.
 pub(crate) fn fastest_sound(scene: &Scene) -> Option<f64> {
     let iterated = scene.corrects_pressure();
-    (!iterated).then(|| scene.fluids().map(|fluid| speed_of_sound(scene, fluid)).fold(0.0, f64::max))
+    (!iterated).then(|| scene.fluids.iter().map(|fluid| speed_of_sound(scene, fluid)).fold(0.0, f64::max))
 }
 
 /// Energy stored in a fluid at a deviation e of its density, the integral of `P / rho^2` over the density, J/kg.
@@ -70,7 +70,7 @@ pub(crate) fn scale(scene: &Checked<'_>, solver: &Solver<'_>) -> f64 {
 /// Sum over the fluid of its particles' masses times `energy`, J/kg.
 fn sum(scene: &Checked<'_>, solver: &Solver<'_>, energy: impl Fn(&Fluid, &FluidConstants, &Particle) -> f64) -> f64 {
     let fluid: Vec<Particle> = solver.particles().filter(|particle| !particle.wall && !particle.inactive).collect();
-    let volume = scene.derived().particle_mass / f64::from(scene.fluid.rest_density);
+    let volume = scene.derived().particle_mass / f64::from(scene.fluids[0].rest_density);
     let (slots, state) = (solver.slots(), solver.state());
     let of = |i: usize| {
         let own = scene.fluid_of(fluid[i].fluid);
@@ -115,7 +115,7 @@ mod tests {
             let checked = scene.check().expect("a scene");
             let constants = checked.derived().fluid(0);
             let pressure = |e: f64| {
-                let by_state = constants.state_stiffness / f64::from(scene.fluid.rest_density);
+                let by_state = constants.state_stiffness / f64::from(scene.fluids[0].rest_density);
                 match equation {
                     EquationOfState::Tait => by_state * ((1.0 + e).powi(7) - 1.0),
                     EquationOfState::Linear => by_state * e,
@@ -124,7 +124,7 @@ mod tests {
             };
             // d u / d e = P / (rho0 (1 + e)^2)
             let (e, step) = (0.05, 1e-5);
-            let at = |e: f64| stored(&scene, &scene.fluid, constants, e);
+            let at = |e: f64| stored(&scene, &scene.fluids[0], constants, e);
             let slope = (at(e + step) - at(e - step)) / (2.0 * step);
             let exact = pressure(e) / (1.0 + e).powi(2);
             assert!((slope / exact - 1.0).abs() < 1e-6, "{equation:?}: {slope} against {exact}");
@@ -132,7 +132,11 @@ mod tests {
         scene.model.pressure_solver = PressureSolver::PressureCorrection;
         scene.model.pressure_force = PressureForce::Monaghan;
         let checked = scene.check().expect("a scene");
-        assert_eq!(stored(&scene, &scene.fluid, checked.derived().fluid(0), 0.05), 0.0, "pressure that is iterated");
+        assert_eq!(
+            stored(&scene, &scene.fluids[0], checked.derived().fluid(0), 0.05),
+            0.0,
+            "pressure that is iterated"
+        );
     }
 
     #[test]
@@ -140,7 +144,7 @@ mod tests {
         let mut scene = scene("still-tank");
         assert!((fastest_sound(&scene).expect("it has sound") - 22.0).abs() < 1e-3);
         // c^2 = 7 k / rho0
-        scene.fluid.stiffness = Some(7e5);
+        scene.fluids[0].stiffness = Some(7e5);
         assert!((fastest_sound(&scene).expect("it has sound") - 70.0).abs() < 1e-3);
         scene.model.pressure_solver = PressureSolver::PressureCorrection;
         assert_eq!(fastest_sound(&scene), None);

@@ -129,7 +129,7 @@ pub fn study(base: &LoadedScene, ladder: &Ladder, pool: &Pool, folder: Option<&P
     for (spacing, courant, equation_of_state) in choices {
         let mut scene = base.file.scene.clone();
         scene.particle_spacing = spacing;
-        scene.time_step = courant * spacing / scene.fluid.speed_of_sound;
+        scene.time_step = courant * spacing / scene.fluids[0].speed_of_sound;
         scene.model.equation_of_state = equation_of_state;
         let label = format!("{equation_of_state:?}, {spacing} m, C {courant}");
         let mut run = Run {
@@ -214,7 +214,7 @@ impl Profile {
     /// at the walls too.
     fn hydrostatic_error(&self, scene: &Scene) -> f64 {
         let depth = f64::from(scene.blocks.iter().map(|b| b.corner[1] + b.size[1]).fold(0.0, f32::max));
-        let weight = f64::from(scene.fluid.rest_density) * f64::from(-scene.gravity[1]);
+        let weight = f64::from(scene.fluids[0].rest_density) * f64::from(-scene.gravity[1]);
         let square = |i: usize| {
             let [height, pressure] = self.sums[i].map(|sum| sum / self.samples);
             (pressure - weight * (depth - height).max(0.0)).powi(2)

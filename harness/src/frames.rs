@@ -185,7 +185,7 @@ fn colouring(file: &SceneFile, beads: &[DrawParticle]) -> Colouring {
                 |(number, fluid): (usize, &Fluid)| Swatch::new(format!("fluid {number}"), number, fluid.colour);
             Colouring::Kinds {
                 of: beads.iter().map(|bead| bead.fluid).collect(),
-                key: file.scene.fluids().enumerate().map(swatch).collect(),
+                key: file.scene.fluids.iter().enumerate().map(swatch).collect(),
             }
         }
     }

@@ -25,6 +25,7 @@ pub mod plot;
 pub mod pool;
 pub mod run;
 pub mod run_length;
+pub mod scene_text;
 pub mod scenes;
 pub mod showcase;
 pub mod snapshot;

@@ -192,7 +192,7 @@ fn with(scene: &Checked<'_>, requirements: &Requirements, model: Model) -> Requi
 fn ends_if_elastic(scene: &Scene) -> usize {
     let mut elastic = scene.clone();
     let air = scene.air.map(|air| air.fluid);
-    let fluids = std::iter::once(&mut elastic.fluid).chain(&mut elastic.other_fluids);
+    let fluids = elastic.fluids.iter_mut();
     for (_, fluid) in (0..).zip(fluids).filter(|(number, _)| Some(*number) != air) {
         fluid.elastic_stiffness = 1.0;
     }

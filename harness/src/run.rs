@@ -153,7 +153,8 @@ pub fn run(
                 .then_some(FirstLast { first: internal_energy(scene, &first), last: internal_energy(scene, &last) }),
             potential: FirstLast { first: first_summary.energies.potential, last: last_summary.energies.potential },
             elastic: scene
-                .fluids()
+                .fluids
+                .iter()
                 .any(|fluid| fluid.elastic_stiffness > 0.0)
                 .then(|| FirstLast { first: first_elastic, last: fluid.elastic_energy(&last) }),
         },
@@ -175,7 +176,7 @@ fn held(clock: &TimeReport) -> Option<String> {
 
 /// Thermal energy of a state, J.
 fn internal_energy(scene: &Checked<'_>, state: &Snapshot) -> f64 {
-    let mass = scene.derived().particle_mass / f64::from(scene.fluid.rest_density);
+    let mass = scene.derived().particle_mass / f64::from(scene.fluids[0].rest_density);
     let density = |v: &f32x4| match material_of(v[3] as u32, scene) {
         Some(Material::Fluid(fluid)) => f64::from(scene.fluid_of(fluid).rest_density),
         _ => 0.0,

@@ -1,5 +1,6 @@
 //! Scene files: RON text with unknown fields refused, a few of them built in, every field open to `--set`.
 use crate::failure::Failure;
+use crate::scene_text::{current, line_of};
 use millpond_core::scene::{Container, Periodic, Scene, WallShape};
 use millpond_core::{Checked, Requirements, SceneError};
 use serde::{Deserialize, Serialize};
@@ -121,6 +122,7 @@ pub fn load(name: &str, changes: &Changes) -> Result<LoadedScene, Failure> {
             return Err(Failure::Call(format!("no scene {name:?}: give a .ron file, or one of {}", known.join(", "))));
         }
     };
+    let text = current(&text);
     let mut file = parse(&text, &origin)?;
     for change in &changes.set {
         file = set(&file, change)?;
@@ -152,20 +154,18 @@ fn parse(text: &str, origin: &Path) -> Result<SceneFile, Failure> {
     })
 }
 
-/// A scene error with the file and the line of its field, where the text has one.
+/// A scene error with where it comes from: `--set`, or the file and the line of the field, where the text has one.
 fn refusal(text: &str, origin: &Path, changes: &Changes, error: SceneError) -> Failure {
     let message = error.to_string();
     let field = message.split_whitespace().next().unwrap_or_default();
-    let leaf = field.rsplit('.').next().unwrap_or(field);
-    let leaf = leaf.split('[').next().unwrap_or(leaf);
-    let changed = |change: &&String| change.split('=').next().is_some_and(|path| path.ends_with(leaf));
+    let leaf =
+        |path: &str| path.rsplit('.').next().unwrap_or_default().split('[').next().unwrap_or_default().to_owned();
+    let changed = |change: &&String| change.split('=').next().is_some_and(|path| leaf(path) == leaf(field));
     if let Some(change) = changes.set.iter().find(changed) {
         return Failure::Scene { origin: format!("--set {change}"), error };
     }
-    let wanted = format!("{leaf}:");
-    let code = |line: &str| line.split("//").next().unwrap_or_default().contains(&wanted);
-    let line = text.lines().position(code);
-    let line = line.map_or(String::new(), |line| format!(":{}", line + 1));
+    let line = line_of(text, field).or_else(|| line_of(text, &leaf(field)));
+    let line = line.map_or(String::new(), |line| format!(":{line}"));
     Failure::Scene { origin: format!("{}{line}", origin.display()), error }
 }
 
@@ -185,7 +185,10 @@ pub(crate) fn with(file: &SceneFile, field: &str, value: &str) -> Result<SceneFi
     let mut tree = serde_json::to_value(file).map_err(|e| e.to_string())?;
     let mut paths = Vec::new();
     collect_paths(&tree, "", &mut paths);
-    let ending = format!("/{}", field.replace('.', "/"));
+    // items of a list may be named as in RON, and the first fluid without its number
+    let path = field.replace('[', ".").replace(']', "");
+    let path = path.strip_prefix("fluid.").map_or(path.clone(), |rest| format!("fluids.0.{rest}"));
+    let ending = format!("/{}", path.replace('.', "/"));
     let matches: Vec<&String> = paths.iter().filter(|path| path.ends_with(&ending)).collect();
     let shortest = matches.iter().map(|path| path.matches('/').count()).min();
     let mut best = matches.iter().filter(|path| Some(path.matches('/').count()) == shortest);

@@ -66,7 +66,7 @@ pub fn summarize(scene: &Scene, state: &Snapshot) -> Result<StateSummary, Failur
     let mut scene = scene.clone();
     scene.grid.structure = GridStructure::IndexSort;
     // springs are made where particles start, and this is not where they did
-    std::iter::once(&mut scene.fluid).chain(&mut scene.other_fluids).for_each(|fluid| fluid.elastic_stiffness = 0.0);
+    scene.fluids.iter_mut().for_each(|fluid| fluid.elastic_stiffness = 0.0);
     scene.elasticity = Elasticity::default();
     // nor does an integrator remember anything of them
     (scene.model.integrator, scene.model.reevaluate, scene.adaptive) = (Integrator::default(), false, None);

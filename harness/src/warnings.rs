@@ -34,7 +34,7 @@ pub fn warnings(scene: &Checked<'_>, state: &StateSummary, births_refused: u64) 
     warnings.extend(courant(state.courant));
     warnings.extend(diffusion(state.courant));
     warnings.extend(resolution(scene, state.farthest));
-    warnings.extend(scene.fluids().find_map(|fluid| capillary(scene, fluid, time_step)));
+    warnings.extend(scene.fluids.iter().find_map(|fluid| capillary(scene, fluid, time_step)));
     warnings.extend(scene.derived().fluids.iter().find_map(|fluid| springs(scene, fluid, time_step)));
     if scene.model.near_pressure != NearPressure::Off && !scene.model.negative_pressure {
         warnings
@@ -64,7 +64,7 @@ pub fn warnings(scene: &Checked<'_>, state: &StateSummary, births_refused: u64) 
 pub fn gained(scene: &Scene, first: &StateSummary, last: &StateSummary) -> Option<String> {
     let stores = |fluid: &Fluid| fluid.elastic_stiffness > 0.0 || fluid.surface_tension > 0.0;
     let fields = scene.acceleration_field.is_some() || scene.air.is_some();
-    if fields || scene.fluids().any(stores) || driven_by(scene).is_some() {
+    if fields || scene.fluids.iter().any(stores) || driven_by(scene).is_some() {
         return None;
     }
     let share = (last.mechanical - first.mechanical) / first.to_spend;

@@ -140,7 +140,7 @@ fn bad_calls_are_refused_with_status_2() {
         (&["run", "dam-break", "--set", "dimension=Four"], "Four"),
         (&["run", "dam-break", "--time", "NaN"], "--time"),
         (&["run", "dam-break", "--particles", "100000000"], "bytes"),
-        (&["run", "dam-break", "--set", "fluid.rest_density=-1"], "fluid.rest_density is -1"),
+        (&["run", "dam-break", "--set", "fluid.rest_density=-1"], "fluids[0].rest_density is -1"),
         (&["error", "no-such-case"], "no case"),
         (&["error", "still-tank", "--set", "time_step=0.001"], "what the study varies"),
         (&["error", "still-tank", "--particles", "100"], "no meaning"),

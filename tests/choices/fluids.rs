@@ -24,7 +24,7 @@ pub fn fluids(add: Add<'_>) {
         add(format!("equation_of_state {state:?} for the second fluid alone"), &|s| {
             s.model.viscosity = Viscosity::Artificial;
             second_fluid(s);
-            s.other_fluids[0].equation_of_state = Some(state);
+            s.fluids[1].equation_of_state = Some(state);
         });
     }
     add("pressure_solver PressureCorrection for two fluids".into(), &|s| {
@@ -36,7 +36,7 @@ pub fn fluids(add: Add<'_>) {
         second_fluid(s);
         s.model.internal_energy = true;
         s.model.evaluation = Evaluation::Table;
-        (s.fluid.xsph, s.fluid.radial_exchange, s.ambient_density) = (0.4, 0.3, 20.0);
+        (s.model.xsph, s.model.radial_exchange, s.ambient_density) = (0.4, 0.3, 20.0);
         s.blocks[1].dynamic_viscosity = Some(0.1);
     });
     for (name, tension, wall) in [
@@ -57,14 +57,14 @@ pub fn fluids(add: Add<'_>) {
     }
     add("a fluid of smaller support".into(), &|s| {
         second_fluid(s);
-        s.other_fluids[0].average_neighbours = Some(12.0);
+        s.fluids[1].average_neighbours = Some(12.0);
     });
     let plasticity = Some(Plasticity { rate: 20.0, yield_strain: 0.01 });
     for (name, plasticity, break_at) in
         [("springs", None, None), ("plastic springs", plasticity, None), ("brittle springs", plasticity, Some(0.02))]
     {
         add(name.into(), &|s| {
-            s.fluid.elastic_stiffness = 2000.0;
+            s.fluids[0].elastic_stiffness = 2000.0;
             s.elasticity = Elasticity { reach: 1.8, plasticity, break_at, ..Elasticity::default() };
         });
         add(format!("{name} of one of two fluids, across a periodic side"), &|s| {
@@ -72,7 +72,7 @@ pub fn fluids(add: Add<'_>) {
             walls(s);
             s.model.pressure_solver = PressureSolver::PressureCorrection;
             s.model.pressure_force = PressureForce::Monaghan;
-            s.other_fluids[0].elastic_stiffness = 500.0;
+            s.fluids[1].elastic_stiffness = 500.0;
             s.elasticity = Elasticity { reach: 1.8, plasticity, break_at, ..Elasticity::default() };
             s.container = None;
             s.periodic = Some(Periodic { low: [0.0; 3], high: [0.8, 0.6, 0.6], axes: [true, false, false] });
@@ -80,6 +80,6 @@ pub fn fluids(add: Add<'_>) {
         });
     }
     add("two viscosities".into(), &|s| s.blocks[1].dynamic_viscosity = Some(20.0));
-    add("radial_exchange".into(), &|s| s.fluid.radial_exchange = 0.8);
-    add("xsph".into(), &|s| s.fluid.xsph = 0.5);
+    add("radial_exchange".into(), &|s| s.model.radial_exchange = 0.8);
+    add("xsph".into(), &|s| s.model.xsph = 0.5);
 }

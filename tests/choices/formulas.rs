@@ -55,7 +55,7 @@ pub fn kernels_and_pressure(add: Add<'_>) {
             });
         }
     }
-    add("stiffness".into(), &|s| s.fluid.stiffness = Some(2000.0));
+    add("stiffness".into(), &|s| s.fluids[0].stiffness = Some(2000.0));
     for force in [PressureForce::Monaghan, PressureForce::Difference] {
         for (iteration, tolerance) in
             [(Iteration::Relaxed, 1e-4), (Iteration::Relaxed, 0.5), (Iteration::Literal, 1e-3)]
@@ -77,18 +77,18 @@ pub fn viscosity_and_tension(add: Add<'_>) {
         add(format!("viscosity {viscosity:?}"), &|s| {
             s.model.viscosity = viscosity;
             s.model.density = DensityForm::SummationAdapted;
-            s.fluid.velocity_exchange = 0.1;
+            s.model.velocity_exchange = 0.1;
         });
         for &wall in WallPressure::ALL {
             add(format!("viscosity {viscosity:?}, walls {wall:?}"), &|s| {
                 (s.model.viscosity, s.model.wall_pressure) = (viscosity, wall);
                 s.model.density = DensityForm::NumberDensity;
-                s.fluid.velocity_exchange = 0.1;
+                s.model.velocity_exchange = 0.1;
                 walls(s);
             });
             add(format!("viscosity {viscosity:?}, walls {wall:?}, two fluids"), &|s| {
                 s.model = Formulation { viscosity, wall_pressure: wall, ..Formulation::multiphase() };
-                s.fluid.velocity_exchange = 0.1;
+                s.model.velocity_exchange = 0.1;
                 walls(s);
                 second_fluid(s);
             });
@@ -96,7 +96,7 @@ pub fn viscosity_and_tension(add: Add<'_>) {
         add(format!("heat of {viscosity:?}"), &|s| {
             (s.model.viscosity, s.model.internal_energy) = (viscosity, true);
             s.model.density = DensityForm::SummationAdapted;
-            (s.fluid.velocity_exchange, s.fluid.heat_gain, s.fluid.internal_energy) = (0.9, 0.7, 1.0);
+            (s.model.velocity_exchange, s.model.heat_gain, s.fluids[0].internal_energy) = (0.9, 0.7, 1.0);
         });
     }
     for &tension in SurfaceTension::ALL {

@@ -7,7 +7,7 @@ pub fn plainest(scene: &Scene) -> Scene {
     use PressureForce as P;
     let mut s = scene.clone();
     let m = &mut s.model;
-    let one_mass = s.other_fluids.is_empty() && !m.initialize_hydrostatic;
+    let one_mass = s.fluids.len() == 1 && !m.initialize_hydrostatic;
     if !m.initialize_hydrostatic {
         // a number density times the own mass is the adapted sum
         m.density = if m.density == D::SummationAdapted { D::NumberDensity } else { m.density };
@@ -39,7 +39,7 @@ pub fn plainest(scene: &Scene) -> Scene {
     // a gas has no negative pressure
     m.negative_pressure |= m.equation_of_state == EquationOfState::IdealGas;
     if m.viscosity != Viscosity::VelocityExchange {
-        s.fluid.velocity_exchange = 0.0;
+        s.model.velocity_exchange = 0.0;
     }
     s
 }

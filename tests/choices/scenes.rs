@@ -25,7 +25,7 @@ pub fn falls(s: &mut Scene) {
 /// Makes the second block one of another fluid, lighter and stiffer.
 pub fn second_fluid(s: &mut Scene) {
     let light = Fluid { rest_density: 700.0, speed_of_sound: 12.0, dynamic_viscosity: 5.0, ..Fluid::default() };
-    let _ = s.other_fluids.push(light);
+    let _ = s.fluids.push(light);
     s.blocks[1].fluid = 1;
 }
 
@@ -36,7 +36,7 @@ pub fn pulled(s: &mut Scene) {
         SurfaceTension::Curvature | SurfaceTension::NormalCurvature => 5.0,
         SurfaceTension::Attraction | SurfaceTension::GradientSum => 2.0,
     };
-    std::iter::once(&mut s.fluid).chain(&mut s.other_fluids).for_each(|fluid| fluid.surface_tension = tension);
+    s.fluids.iter_mut().for_each(|fluid| fluid.surface_tension = tension);
 }
 
 /// A box open above, whose floor slides.

@@ -52,14 +52,14 @@ pub fn surroundings(add: Add<'_>) {
             wall_pressure: WallPressure::Dynamic,
             ..s.model
         };
-        (s.fluid.xsph, s.fluid.radial_exchange, s.ambient_density) = (0.2, 0.1, 10.0);
+        (s.model.xsph, s.model.radial_exchange, s.ambient_density) = (0.2, 0.1, 10.0);
         s.wind = Some(Wind { velocity: [1.0, 0.0, 0.0], drag: 1.0 });
         s.acceleration_field = Some(AccelerationField { low: [0.0; 3], spacing: 0.3, counts: [3, 3, 3] });
         s.blocks[0].dynamic_viscosity = Some(0.5);
         second_fluid(s);
         s.model.surface_tension = SurfaceTension::NormalCurvature;
         pulled(s);
-        s.fluid.elastic_stiffness = 100.0;
+        s.fluids[0].elastic_stiffness = 100.0;
         s.elasticity.break_at = Some(0.1);
     });
 }

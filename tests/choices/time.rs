@@ -12,7 +12,7 @@ pub fn time(add: Add<'_>) {
         add(format!("integrator {integrator:?} with heat, XSPH, walls of particles, across a periodic side"), &|s| {
             s.model = Formulation { integrator, internal_energy: true, viscosity: Viscosity::Artificial, ..s.model };
             s.model.density = DensityForm::Continuity;
-            s.fluid.xsph = 0.3;
+            s.model.xsph = 0.3;
             s.container = None;
             s.periodic = Some(Periodic { low: [0.0; 3], high: [0.8, 0.6, 0.6], axes: [true, false, false] });
             walls(s);
@@ -24,7 +24,7 @@ pub fn time(add: Add<'_>) {
             add(format!("integrator {integrator:?}, evaluated again with springs and tension"), &|s| {
                 s.model = Formulation { integrator, reevaluate: true, ..Formulation::multiphase() };
                 s.model.surface_tension = SurfaceTension::NormalCurvature;
-                (s.fluid.elastic_stiffness, s.fluid.xsph, s.model.internal_energy) = (500.0, 0.1, true);
+                (s.fluids[0].elastic_stiffness, s.model.xsph, s.model.internal_energy) = (500.0, 0.1, true);
                 s.elasticity.plasticity = Some(Plasticity { rate: 20.0, yield_strain: 0.01 });
                 pulled(s);
             });

@@ -29,7 +29,7 @@ impl FluidConstants {
         let equation_of_state = scene.equation_of(fluid);
         let c0 = speed_of_sound(scene, fluid);
         let bulk_modulus = f64::from(fluid.rest_density) * c0 * c0;
-        let mass = particle_mass * f64::from(fluid.rest_density) / f64::from(scene.fluid.rest_density);
+        let mass = particle_mass * f64::from(fluid.rest_density) / f64::from(scene.first_fluid().rest_density);
         FluidConstants {
             equation_of_state,
             speed_of_sound: c0,
@@ -49,6 +49,6 @@ impl FluidConstants {
 
     /// Of all fluids of a scene, by number; never empty.
     pub(crate) fn of_all(scene: &Scene, particle_mass: f64) -> Vec<FluidConstants, FLUIDS> {
-        scene.fluids().map(|fluid| FluidConstants::of(scene, particle_mass, fluid)).collect()
+        scene.fluids.iter().map(|fluid| FluidConstants::of(scene, particle_mass, fluid)).collect()
     }
 }

@@ -15,7 +15,7 @@ pub(super) fn hydrostatic_deviation(scene: &Scene, fluid: u32, own: &FluidConsta
     };
     let place = along(position.map(f64::from));
     let mut pressure = 0.0;
-    for (number, above) in (0..).zip(scene.fluids()) {
+    for (number, above) in (0..).zip(&scene.fluids) {
         let blocks = || scene.blocks.iter().filter(|block| block.fluid == number);
         let top = blocks().map(|b| corner(b, true)).fold(f64::INFINITY, f64::min);
         let bottom = blocks().map(|b| corner(b, false)).fold(f64::NEG_INFINITY, f64::max);

@@ -42,6 +42,6 @@ pub fn material_of(number: u32, scene: &Scene) -> Option<Material> {
             let block = scene.blocks.get((number - FIRST_BLOCK) as usize)?;
             block.dynamic_viscosity.map(|_| Material::Fluid(block.fluid))
         }
-        fluid => scene.fluids().nth(fluid as usize).map(|_| Material::Fluid(fluid)),
+        fluid => scene.fluids.get(fluid as usize).map(|_| Material::Fluid(fluid)),
     }
 }

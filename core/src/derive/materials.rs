@@ -38,7 +38,7 @@ fn rows(scene: &Scene, fluids: &[FluidConstants], of: impl Fn(&Fluid, &FluidCons
 
 /// Viscosity (negative: that of the particle), 1 for a wall and 2 for air that is not there, rest density over the first fluid's, number of the fluid.
 fn properties(scene: &Scene, fluids: &[FluidConstants]) -> MaterialRows {
-    let ratio = |fluid: &Fluid| fluid.rest_density / scene.fluid.rest_density;
+    let ratio = |fluid: &Fluid| fluid.rest_density / scene.first_fluid().rest_density;
     let mut rows = rows(scene, fluids, |fluid, _| [fluid.dynamic_viscosity, 0.0, ratio(fluid), 0.0]);
     for (number, material) in rows.iter_mut().enumerate().take(FIRST_BLOCK as usize) {
         material[3] = number as f32;
@@ -59,12 +59,12 @@ fn properties(scene: &Scene, fluids: &[FluidConstants]) -> MaterialRows {
 /// first fluid.
 fn states(scene: &Scene, fluids: &[FluidConstants], mass: f64, support: f64) -> MaterialRows {
     let d = scene.dimension.count();
-    let mass = mass / f64::from(scene.fluid.rest_density);
+    let mass = mass / f64::from(scene.first_fluid().rest_density);
     let sum_to_density = near_slope_constant(d) / 3.0 / power(support, d);
     let masses = matches!(scene.model.density, DensityForm::Summation | DensityForm::Continuity);
     rows(scene, fluids, |fluid, constants| {
         // a sum over masses counts in those of the first fluid, one over numbers in its own
-        let counted = if masses { scene.fluid.rest_density } else { fluid.rest_density };
+        let counted = if masses { scene.first_fluid().rest_density } else { fluid.rest_density };
         let near = constants.near_stiffness
             * match scene.model.near_pressure {
                 NearPressure::DoubleDensity => mass * f64::from(counted) * sum_to_density,

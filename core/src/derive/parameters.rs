@@ -26,7 +26,7 @@ pub(super) fn parameters(
     mass: f64,
     kinematic_viscosity: f64,
 ) -> Parameters {
-    let (fluid, model) = (&scene.fluid, &scene.model);
+    let (fluid, model) = (scene.first_fluid(), &scene.model);
     let d = scene.dimension.count();
     let support = scales.support_radius;
     let over = |n: usize| 1.0 / power(support, n);
@@ -88,13 +88,13 @@ pub(super) fn parameters(
         breaking_stretch: elasticity.break_at.map_or(f32::MAX, |stretch| 1.0 + stretch),
         correction_source: CORRECTION_SOURCE,
         tolerance: model.correction.tolerance,
-        alpha: fluid.alpha,
-        beta: fluid.beta,
+        alpha: model.alpha,
+        beta: model.beta,
         dotted_factor: 2.0 * (d as f32 + 2.0),
-        velocity_exchange: if exchanged { fluid.velocity_exchange } else { 0.0 },
-        radial_exchange: fluid.radial_exchange,
-        xsph_constant: (f64::from(fluid.xsph) * rest_volume * density_constant) as f32,
-        heat_gain: fluid.heat_gain,
+        velocity_exchange: if exchanged { model.velocity_exchange } else { 0.0 },
+        radial_exchange: model.radial_exchange,
+        xsph_constant: (f64::from(model.xsph) * rest_volume * density_constant) as f32,
+        heat_gain: model.heat_gain,
         ambient_ratio: scene.ambient_density / fluid.rest_density,
         restitution: container.map_or(0.0, |c| c.restitution),
         slip: container.map_or(0.0, |c| c.slip),

@@ -34,7 +34,7 @@ impl Scales {
 /// Particles inside the support radius of the scene: the fewest that one of its fluids has (Pirovano, section 3.3).
 #[must_use]
 pub fn average_neighbours(scene: &Scene) -> f32 {
-    let own = scene.fluids().map(|fluid| fluid.average_neighbours.unwrap_or(scene.average_neighbours));
+    let own = scene.fluids.iter().map(|fluid| fluid.average_neighbours.unwrap_or(scene.average_neighbours));
     own.fold(f32::INFINITY, f32::min)
 }
 
@@ -63,7 +63,7 @@ pub fn speed_of_sound(scene: &Scene, fluid: &Fluid) -> f64 {
     }
     let own = f64::from(fluid.speed_of_sound);
     let Some(courant) = scene.stiffness_for_time_step else { return own };
-    let fastest = scene.fluids().map(|fluid| f64::from(fluid.speed_of_sound)).fold(0.0, f64::max);
+    let fastest = scene.fluids.iter().map(|fluid| f64::from(fluid.speed_of_sound)).fold(0.0, f64::max);
     own / fastest * f64::from(courant) * support_radius(scene) / f64::from(scene.time_step)
 }
 
@@ -71,6 +71,6 @@ pub fn speed_of_sound(scene: &Scene, fluid: &Fluid) -> f64 {
 /// at the start, `rho0 spacing^d`; calibrated, what makes the density sum over the lattice the rest density.
 pub(crate) fn particle_mass(scene: &Scene, scales: &Scales) -> f64 {
     let lattice =
-        f64::from(scene.fluid.rest_density) * power(f64::from(scene.particle_spacing), scene.dimension.count());
+        f64::from(scene.first_fluid().rest_density) * power(f64::from(scene.particle_spacing), scene.dimension.count());
     if scene.model.normalize_mass { lattice / kernel_sum(scene, scales.support_radius) } else { lattice }
 }

@@ -15,6 +15,15 @@ pub enum SceneError {
         /// Its value.
         value: f32,
     },
+    /// The scene has no fluid.
+    NoFluid,
+    /// A list of the scene has no room for another item.
+    ListIsFull {
+        /// Which list.
+        field: &'static str,
+        /// How many items it can have.
+        capacity: u32,
+    },
     /// A field must be larger than zero.
     NotPositive {
         /// Which.
@@ -230,6 +239,10 @@ impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             SceneError::NotFinite { field, value } => write!(f, "{field} is {value}, which is not a finite number"),
+            SceneError::NoFluid => write!(f, "fluids is empty: a scene needs at least one fluid"),
+            SceneError::ListIsFull { field, capacity } => {
+                write!(f, "{field} is full: a scene can have at most {capacity} of them")
+            }
             SceneError::NotPositive { field, value } => write!(f, "{field} is {value}, and must be larger than 0"),
             SceneError::Negative { field, value } => write!(f, "{field} is {value}, and must not be negative"),
             SceneError::NotAShare { field, value } => write!(f, "{field} is {value}, and must lie between 0 and 1"),

@@ -36,19 +36,19 @@ impl Plan {
     #[must_use]
     pub fn of(scene: &Checked<'_>) -> Plan {
         let everything = Plan::everything(scene);
-        let (fluid, choice) = (&scene.fluid, &scene.model);
-        let shears = choice.viscosity == Viscosity::VelocityExchange && fluid.velocity_exchange != 0.0;
+        let choice = &scene.model;
+        let shears = choice.viscosity == Viscosity::VelocityExchange && choice.velocity_exchange != 0.0;
         let viscous = scene.blocks.iter().any(|b| b.dynamic_viscosity.is_some_and(|mu| mu != 0.0))
             || scene.walls.iter().any(|w| w.dynamic_viscosity.is_some_and(|mu| mu != 0.0));
         let drags = match choice.viscosity {
-            Viscosity::Artificial => fluid.alpha != 0.0 || fluid.beta != 0.0,
+            Viscosity::Artificial => choice.alpha != 0.0 || choice.beta != 0.0,
             Viscosity::VelocityExchange => false,
-            _ => viscous || scene.fluids().any(|fluid| fluid.dynamic_viscosity != 0.0),
+            _ => viscous || scene.fluids.iter().any(|fluid| fluid.dynamic_viscosity != 0.0),
         };
-        let near =
-            choice.near_pressure != NearPressure::Off && scene.fluids().any(|fluid| fluid.near_stiffness != Some(0.0));
-        let pulls = scene.fluids().any(|fluid| fluid.surface_tension != 0.0);
-        let several = !scene.other_fluids.is_empty();
+        let near = choice.near_pressure != NearPressure::Off
+            && scene.fluids.iter().any(|fluid| fluid.near_stiffness != Some(0.0));
+        let pulls = scene.fluids.iter().any(|fluid| fluid.surface_tension != 0.0);
+        let several = scene.fluids.len() > 1;
         let live = |term: Adjustable| scene.adjustable.contains(&term);
         let drags = drags || live(Adjustable::Viscosity);
         let pulls = pulls || live(Adjustable::SurfaceTension);
@@ -57,7 +57,7 @@ impl Plan {
             model: Model {
                 near_pressure: if near { everything.model.near_pressure } else { near::NEAR_OFF },
                 viscosity: if drags { everything.model.viscosity } else { viscosity::NO_VISCOSITY },
-                has_velocity_exchange: u32::from(shears || fluid.radial_exchange != 0.0),
+                has_velocity_exchange: u32::from(shears || choice.radial_exchange != 0.0),
                 has_gravity: u32::from(scene.gravity != [0.0; 3] || live(Adjustable::Gravity)),
                 has_buoyancy: u32::from(scene.ambient_density != 0.0),
                 has_wind: u32::from(scene.wind.is_some_and(|w| w.drag != 0.0) || live(Adjustable::Wind)),
@@ -70,10 +70,10 @@ impl Plan {
                 tension: if pulls { everything.model.tension } else { tension::NO_TENSION },
                 has_air: u32::from(scene.air.is_some()),
                 has_normals: u32::from(choice.surface_normals || pulls && everything.model.has_curvature()),
-                has_springs: u32::from(scene.fluids().any(is_elastic)),
-                is_plastic: u32::from(scene.fluids().any(is_elastic) && everything.model.is_plastic == 1),
+                has_springs: u32::from(scene.fluids.iter().any(is_elastic)),
+                is_plastic: u32::from(scene.fluids.iter().any(is_elastic) && everything.model.is_plastic == 1),
                 has_internal_energy: u32::from(choice.internal_energy),
-                has_xsph: u32::from(fluid.xsph != 0.0),
+                has_xsph: u32::from(choice.xsph != 0.0),
                 ..everything.model
             },
             ..everything
@@ -101,7 +101,7 @@ impl Plan {
                 evaluation: choice.evaluation as u32,
                 density: choice.density as u32,
                 pressure_solver: choice.pressure_solver as u32,
-                equation_of_state: own_equation(&scene.fluid) as u32,
+                equation_of_state: own_equation(scene.first_fluid()) as u32,
                 iteration: choice.correction.iteration as u32,
                 allows_negative_pressure: u32::from(choice.negative_pressure),
                 pressure_force: choice.pressure_force as u32,
@@ -125,7 +125,7 @@ impl Plan {
                 has_materials: 1,
                 is_multi_fluid: 1,
                 has_mixed_state_equations: u32::from(
-                    scene.other_fluids.iter().any(|fluid| own_equation(fluid) != own_equation(&scene.fluid)),
+                    scene.fluids.iter().skip(1).any(|fluid| own_equation(fluid) != own_equation(scene.first_fluid())),
                 ),
                 has_number_density_volume: u32::from(choice.pressure_force.is_adapted() && !adapted_density),
                 tension: if tensionless { tension::ATTRACTION } else { choice.surface_tension as u32 },

@@ -6,8 +6,7 @@ pub const FLUIDS: usize = 8;
 
 /// Properties of a fluid (Pirovano, section 4.1.4). The default is water that is as compressible as a simulation likes it.
 ///
-/// Between two fluids viscosities act by their mean (Pirovano, section 3.3). What is said to be the scene's is taken from its first
-/// fluid for all.
+/// Between two fluids viscosities act by their mean (Pirovano, section 3.3).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
 pub struct Fluid {
@@ -32,27 +31,9 @@ pub struct Fluid {
     /// Stiffness of the springs that join its particles, N/m (Pirovano eq. 2.26; default 0: none). Each end feels half of it, so a
     /// spring pulls with half of this stiffness. See [`Elasticity`](super::Elasticity).
     pub elastic_stiffness: f32,
-    /// Linear coefficient of the artificial viscosity (default 1), the scene's. With the support radius in place of Monaghan's h, half
-    /// of it, the same alpha gives twice his viscosity.
-    pub alpha: f32,
-    /// Its quadratic coefficient (default 2), the scene's.
-    pub beta: f32,
-    /// Share of the difference between two velocities that a neighbour at no distance exchanges in a step (Gourlay; default 0),
-    /// for [`Viscosity::Exchange`](super::Viscosity::Exchange). More than about 0.2 is cut down: see
-    /// [`terms::exchange`](crate::terms::exchange). The scene's.
-    pub velocity_exchange: f32,
-    /// The same, of the velocity with which two particles approach each other (Gourlay's shock viscosity; default 0: none).
-    /// Acts beside any viscosity. The scene's.
-    pub radial_exchange: f32,
-    /// How much a particle moves with its neighbours (XSPH, Pirovano eq. 2.16, Roy; 0 to 1, default 0: not at all). The
-    /// scene's.
-    pub xsph: f32,
     /// Near pressure over density, m2/s2 (default 0.1 c0^2, our choice: with c0^2 a liquid becomes a gas). Acts where
     /// [`Formulation::near_pressure`](super::Formulation::near_pressure) does.
     pub near_stiffness: Option<f32>,
-    /// Share of what viscosity dissipates that becomes heat (Gourlay's gain; default 1), where
-    /// [`Formulation::internal_energy`](super::Formulation::internal_energy) is on. The scene's.
-    pub heat_gain: f32,
     /// Thermal energy at the start, J/kg (default 0).
     #[cfg_attr(feature = "serde", serde(alias = "thermal_energy"))]
     pub internal_energy: f32,
@@ -60,27 +41,26 @@ pub struct Fluid {
     pub colour: Option<[f32; 3]>,
 }
 
+impl Fluid {
+    /// The default: water with a reduced speed of sound, as is usual in weakly compressible SPH.
+    pub const WATER: Fluid = Fluid {
+        rest_density: 1000.0,
+        speed_of_sound: 10.0,
+        equation_of_state: None,
+        average_neighbours: None,
+        stiffness: None,
+        dynamic_viscosity: 0.0,
+        surface_tension: 0.0,
+        elastic_stiffness: 0.0,
+        near_stiffness: None,
+        internal_energy: 0.0,
+        colour: None,
+    };
+}
+
 impl Default for Fluid {
     fn default() -> Self {
-        Fluid {
-            rest_density: 1000.0,
-            speed_of_sound: 10.0,
-            equation_of_state: None,
-            average_neighbours: None,
-            stiffness: None,
-            dynamic_viscosity: 0.0,
-            surface_tension: 0.0,
-            elastic_stiffness: 0.0,
-            alpha: 1.0,
-            beta: 2.0,
-            velocity_exchange: 0.0,
-            radial_exchange: 0.0,
-            xsph: 0.0,
-            near_stiffness: None,
-            heat_gain: 1.0,
-            internal_energy: 0.0,
-            colour: None,
-        }
+        Fluid::WATER
     }
 }
 
@@ -88,8 +68,7 @@ impl Default for Fluid {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Block {
-    /// Which fluid it is of: 0 for [`Scene::fluid`](super::Scene::fluid), 1 for the first of
-    /// [`Scene::other_fluids`](super::Scene::other_fluids) and so on (default 0).
+    /// Number of its fluid in [`Scene::fluids`](super::Scene::fluids), counted from 0 (default 0).
     #[cfg_attr(feature = "serde", serde(default))]
     pub fluid: u32,
     /// Lowest corner, m.

@@ -24,8 +24,8 @@ impl Adjustable {
         match self {
             Adjustable::Gravity => ["Gravity", "gravity"],
             Adjustable::Wind => ["Wind", "wind"],
-            Adjustable::Viscosity => ["Viscosity", "fluid.dynamic_viscosity"],
-            Adjustable::SurfaceTension => ["SurfaceTension", "fluid.surface_tension"],
+            Adjustable::Viscosity => ["Viscosity", "dynamic_viscosity"],
+            Adjustable::SurfaceTension => ["SurfaceTension", "surface_tension"],
         }
     }
 }

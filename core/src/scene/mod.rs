@@ -7,6 +7,8 @@ mod choice;
 mod elasticity;
 mod fluid;
 mod initial;
+#[cfg(feature = "serde")]
+mod list;
 mod live;
 mod model;
 mod surroundings;
@@ -25,6 +27,7 @@ pub use model::{Correction, Formulation, SupportRange};
 pub use surroundings::{AccelerationField, Container, Grid, Periodic, WALLS, Wall, WallShape, Wind};
 pub use time::AdaptiveTimeStep;
 
+use crate::error::SceneError;
 use heapless::Vec;
 
 /// Blocks of fluid that a scene can have.
@@ -66,12 +69,10 @@ pub struct Scene {
     /// A field of accelerations that the host gives, if any (Pirovano, section 2.2.5).
     #[cfg_attr(feature = "serde", serde(default, alias = "field"))]
     pub acceleration_field: Option<AccelerationField>,
-    /// What flows.
-    pub fluid: Fluid,
-    /// What else flows: fluids 1, 2 ... for [`Block::fluid`].
-    #[cfg_attr(feature = "serde", serde(default))]
-    pub other_fluids: Vec<Fluid, { FLUIDS - 1 }>,
-    /// Where it is at the start.
+    /// What flows, one fluid at least. A scene file may also give a single fluid without the brackets of a list.
+    #[cfg_attr(feature = "serde", serde(alias = "fluid", deserialize_with = "list::one_or_several"))]
+    pub fluids: Vec<Fluid, FLUIDS>,
+    /// Where the fluids are at the start.
     pub blocks: Vec<Block, BLOCKS>,
     /// The box that holds it, if any: planes that put particles back.
     #[cfg_attr(feature = "serde", serde(default))]
@@ -107,6 +108,11 @@ fn default_average_neighbours() -> f32 {
     AVERAGE_NEIGHBOURS
 }
 
+/// Adds an item to a list of a scene.
+fn push<T, const N: usize>(list: &mut Vec<T, N>, item: T, field: &'static str) -> Result<(), SceneError> {
+    list.push(item).map_err(|_| SceneError::ListIsFull { field, capacity: N as u32 })
+}
+
 impl Scene {
     /// A scene of one block with everything else at its default: no gravity, no walls, the thesis' choices of formulas.
     #[must_use]
@@ -122,8 +128,7 @@ impl Scene {
             ambient_density: 0.0,
             wind: None,
             acceleration_field: None,
-            fluid,
-            other_fluids: Vec::new(),
+            fluids: [fluid].into_iter().collect(),
             blocks: [block].into_iter().collect(),
             container: None,
             walls: Vec::new(),
@@ -136,15 +141,42 @@ impl Scene {
         }
     }
 
-    /// Its fluids, by number.
-    pub fn fluids(&self) -> impl Iterator<Item = &Fluid> {
-        core::iter::once(&self.fluid).chain(&self.other_fluids)
+    /// Adds a fluid and returns its number, for [`Block::fluid`].
+    ///
+    /// # Errors
+    /// [`SceneError::ListIsFull`] where the scene has [`FLUIDS`] fluids already.
+    pub fn add_fluid(&mut self, fluid: Fluid) -> Result<u32, SceneError> {
+        let number = self.fluids.len() as u32;
+        push(&mut self.fluids, fluid, "fluids")?;
+        Ok(number)
     }
 
-    /// A fluid by number; the first where there is none of that number, which [`Scene::check`] refuses.
+    /// Adds a block of fluid.
+    ///
+    /// # Errors
+    /// [`SceneError::ListIsFull`] where the scene has [`BLOCKS`] blocks already.
+    pub fn add_block(&mut self, block: Block) -> Result<(), SceneError> {
+        push(&mut self.blocks, block, "blocks")
+    }
+
+    /// Adds a wall of particles.
+    ///
+    /// # Errors
+    /// [`SceneError::ListIsFull`] where the scene has [`WALLS`] walls already.
+    pub fn add_wall(&mut self, wall: Wall) -> Result<(), SceneError> {
+        push(&mut self.walls, wall, "walls")
+    }
+
+    /// A fluid by number. Where the scene has no fluid of that number, which [`Scene::check`] refuses, it is the first one.
     #[must_use]
     pub fn fluid_of(&self, number: u32) -> &Fluid {
-        self.fluids().nth(number as usize).unwrap_or(&self.fluid)
+        self.fluids.get(number as usize).unwrap_or_else(|| self.first_fluid())
+    }
+
+    /// Fluid 0, whose rest density is the unit of all densities inside the solver.
+    #[must_use]
+    pub fn first_fluid(&self) -> &Fluid {
+        self.fluids.first().unwrap_or(&Fluid::WATER)
     }
 
     /// Axes that wrap around.

@@ -44,6 +44,20 @@ pub struct Formulation {
     pub near_pressure: NearPressure,
     /// How velocities diffuse.
     pub viscosity: Viscosity,
+    /// Linear coefficient of the artificial viscosity (default 1). The formula has the support radius where Monaghan 1992 has the
+    /// smoothing length, half of it, so that the same alpha gives twice his viscosity.
+    pub alpha: f32,
+    /// Quadratic coefficient of the artificial viscosity (default 2).
+    pub beta: f32,
+    /// Share of the difference between two velocities that a neighbour at no distance exchanges in a step (Gourlay; 0 to 1, default
+    /// 0), for [`Viscosity::VelocityExchange`]. Where the shares of all neighbours add up to more than 1, they are scaled
+    /// down together: see [`terms::exchange`](crate::terms::exchange).
+    pub velocity_exchange: f32,
+    /// The same share of the velocity with which two particles approach each other (Gourlay's shock viscosity; 0 to 1, default 0). It
+    /// acts beside any viscosity.
+    pub radial_exchange: f32,
+    /// How much a particle moves with its neighbours (XSPH: Monaghan 1989; Pirovano eq. 2.16, corrected; 0 to 1, default 0).
+    pub xsph: f32,
     /// How surfaces pull themselves together.
     pub surface_tension: SurfaceTension,
     /// Length of a normal, over one over the support radius, above which a particle is at the surface (Pirovano, section 3.4.4's
@@ -54,6 +68,9 @@ pub struct Formulation {
     /// Keep account of heat: compression and what viscosity dissipates (Roy; Gourlay).
     #[cfg_attr(feature = "serde", serde(alias = "thermal_energy"))]
     pub internal_energy: bool,
+    /// Share of the dissipated energy that becomes internal energy (Gourlay's gain; 0 to 1, default 1), where
+    /// [`internal_energy`](Formulation::internal_energy) is on.
+    pub heat_gain: f32,
     /// Supports that follow the density, within bounds (Pirovano eq. 4.2, corrected; default: one for all).
     pub variable_support: Option<SupportRange>,
     /// What a particle of a wall does to the pressure of its neighbours.
@@ -79,10 +96,16 @@ impl Default for Formulation {
             pressure_force: PressureForce::Mueller,
             near_pressure: NearPressure::DensityProportional,
             viscosity: Viscosity::Mueller,
+            alpha: 1.0,
+            beta: 2.0,
+            velocity_exchange: 0.0,
+            radial_exchange: 0.0,
+            xsph: 0.0,
             surface_tension: SurfaceTension::Off,
             surface_threshold: 0.1,
             surface_normals: false,
             internal_energy: false,
+            heat_gain: 1.0,
             variable_support: None,
             wall_pressure: WallPressure::Mirrored,
         }

@@ -3,11 +3,15 @@ use crate::arithmetic::codes::ROW_BITS;
 use crate::error::SceneError;
 use crate::scene::Scene;
 
-/// Name of a field of a fluid.
+/// Name of a field of a fluid by number.
 macro_rules! field {
     ($number:expr, $name:literal) => {
-        if $number == 0 { concat!("fluid.", $name) } else { concat!("other_fluids.", $name) }
+        $crate::validate::bounds::field!(@ $number, $name, "0" "1" "2" "3" "4" "5" "6" "7")
     };
+    (@ $number:expr, $name:literal, $($fluid:literal)*) => {{
+        const NAMES: [&str; $crate::scene::FLUIDS] = [$(concat!("fluids[", $fluid, "].", $name)),*];
+        NAMES[$number.min(NAMES.len() - 1)]
+    }};
 }
 pub(super) use field;
 
@@ -41,7 +45,7 @@ pub(super) fn share(field: &'static str, value: f32) -> Result<(), SceneError> {
 
 /// Refuses the number of a fluid that the scene has not.
 pub(super) fn known_fluid(scene: &Scene, field: &'static str, fluid: u32) -> Result<(), SceneError> {
-    let fluids = scene.fluids().count() as u32;
+    let fluids = scene.fluids.len() as u32;
     if fluid < fluids { Ok(()) } else { Err(SceneError::NoSuchFluid { field, fluid, fluids }) }
 }
 

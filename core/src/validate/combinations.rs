@@ -42,14 +42,14 @@ pub(super) fn check(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
         return Err(not_together("ambient_density", "no gravity", "nothing would be buoyant"));
     }
     let gas = |fluid: &Fluid| scene.equation_of(fluid) == EquationOfState::IdealGas;
-    if model.initialize_hydrostatic && scene.fluids().any(gas) {
+    if model.initialize_hydrostatic && scene.fluids.iter().any(gas) {
         return Err(not_together(
             "model.initialize_hydrostatic",
             "an equation_of_state IdealGas",
             "a gas has no surface to measure depth from",
         ));
     }
-    if model.initialize_hydrostatic && scene.fluids().any(|fluid| scene.ambient_density >= fluid.rest_density) {
+    if model.initialize_hydrostatic && scene.fluids.iter().any(|fluid| scene.ambient_density >= fluid.rest_density) {
         return Err(not_together(
             "model.initialize_hydrostatic",
             "an ambient_density as large as the fluid's",
@@ -142,7 +142,7 @@ fn pressure(scene: &Scene) -> Result<(), SceneError> {
         ));
     }
     let unused = |fluid: &Fluid| fluid.stiffness.is_some() && scene.equation_of(fluid) != EquationOfState::Tait;
-    if let Some(number) = scene.fluids().position(unused) {
+    if let Some(number) = scene.fluids.iter().position(unused) {
         if scene.corrects_pressure() {
             let (field, solver) = (field!(number, "stiffness"), "model.pressure_solver PressureCorrection");
             return Err(not_together(field, solver, "nothing would use it"));
@@ -154,7 +154,7 @@ fn pressure(scene: &Scene) -> Result<(), SceneError> {
         ));
     }
     let stiff = |fluid: &Fluid| fluid.near_stiffness.is_some_and(|k| k > 0.0);
-    if let Some(number) = scene.fluids().position(stiff).filter(|_| model.near_pressure == NearPressure::Off) {
+    if let Some(number) = scene.fluids.iter().position(stiff).filter(|_| model.near_pressure == NearPressure::Off) {
         return Err(not_together(field!(number, "near_stiffness"), "model.near_pressure Off", "nothing would use it"));
     }
     Ok(())
@@ -183,7 +183,7 @@ fn correction(scene: &Scene) -> Result<(), SceneError> {
             "its iteration takes the whole gradient (Pirovano, section 3.2.2)",
         ));
     }
-    let fastest = scene.fluids().map(|fluid| fluid.speed_of_sound).fold(0.0, f32::max);
+    let fastest = scene.fluids.iter().map(|fluid| fluid.speed_of_sound).fold(0.0, f32::max);
     let spacings = fastest * scene.longest_step() / scene.particle_spacing;
     if iteration == Iteration::Literal && spacings > LITERAL_SPACINGS {
         return Err(SceneError::CannotConverge { spacings, most: LITERAL_SPACINGS });
@@ -193,32 +193,13 @@ fn correction(scene: &Scene) -> Result<(), SceneError> {
 
 fn fluids(scene: &Scene) -> Result<(), SceneError> {
     let model = &scene.model;
-    let own = scene.fluids().position(|fluid| fluid.equation_of_state.is_some());
+    let own = scene.fluids.iter().position(|fluid| fluid.equation_of_state.is_some());
     if let Some(number) = own.filter(|_| scene.corrects_pressure()) {
         return Err(not_together(
             field!(number, "equation_of_state"),
             "model.pressure_solver PressureCorrection",
             "pressure is iterated for all fluids, so that nothing would use it",
         ));
-    }
-    let first = &scene.fluid;
-    for fluid in &scene.other_fluids {
-        let shared = [
-            ("other_fluids.alpha", fluid.alpha, first.alpha),
-            ("other_fluids.beta", fluid.beta, first.beta),
-            ("other_fluids.velocity_exchange", fluid.velocity_exchange, first.velocity_exchange),
-            ("other_fluids.radial_exchange", fluid.radial_exchange, first.radial_exchange),
-            ("other_fluids.xsph", fluid.xsph, first.xsph),
-            ("other_fluids.heat_gain", fluid.heat_gain, first.heat_gain),
-        ];
-        let usual = Fluid::default();
-        let defaults =
-            [usual.alpha, usual.beta, usual.velocity_exchange, usual.radial_exchange, usual.xsph, usual.heat_gain];
-        for ((field, value, of_first), default) in shared.into_iter().zip(defaults) {
-            if value != of_first && value != default {
-                return Err(not_together(field, "another of the first fluid's", "it is the scene's, one for all"));
-            }
-        }
     }
     let own_volumes =
         model.pressure_force.is_adapted() || !matches!(model.density, DensityForm::Summation | DensityForm::Continuity);
@@ -234,8 +215,8 @@ fn fluids(scene: &Scene) -> Result<(), SceneError> {
 
 fn springs(scene: &Scene) -> Result<(), SceneError> {
     let elastic = |fluid: &Fluid| fluid.elastic_stiffness > 0.0;
-    if scene.elasticity != Elasticity::default() && !scene.fluids().any(elastic) {
-        return Err(not_together("elasticity", "no fluid.elastic_stiffness", "nothing would use it"));
+    if scene.elasticity != Elasticity::default() && !scene.fluids.iter().any(elastic) {
+        return Err(not_together("elasticity", "an elastic_stiffness of 0 in every fluid", "nothing would use it"));
     }
     if scene.air.is_some_and(|air| elastic(scene.fluid_of(air.fluid))) {
         return Err(not_together(
@@ -250,7 +231,7 @@ fn springs(scene: &Scene) -> Result<(), SceneError> {
 fn tension(scene: &Scene) -> Result<(), SceneError> {
     let model = &scene.model;
     let pulls = |fluid: &Fluid| fluid.surface_tension > 0.0;
-    if let Some(number) = scene.fluids().position(pulls).filter(|_| model.surface_tension == SurfaceTension::Off) {
+    if let Some(number) = scene.fluids.iter().position(pulls).filter(|_| model.surface_tension == SurfaceTension::Off) {
         return Err(not_together(
             field!(number, "surface_tension"),
             "model.surface_tension Off",

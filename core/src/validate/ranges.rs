@@ -6,7 +6,7 @@ use crate::derive::counts::field_counts;
 use crate::derive::lattice_sums::MOST_SPACINGS;
 use crate::derive::scales::{Scales, average_neighbours};
 use crate::error::SceneError;
-use crate::scene::{Fluid, Scene};
+use crate::scene::{Fluid, Formulation, Scene};
 
 /// Most nodes of a host's field: 64 MiB.
 const MOST_NODES: u32 = 1 << 22;
@@ -19,13 +19,17 @@ pub(super) fn numbers(scene: &Scene) -> Result<(), SceneError> {
     step_lengths(scene)?;
     finite("gravity", &scene.gravity)?;
     surroundings(scene)?;
-    (0..).zip(scene.fluids()).try_for_each(fluid)
+    if scene.fluids.is_empty() {
+        return Err(SceneError::NoFluid);
+    }
+    scene.fluids.iter().enumerate().try_for_each(fluid)?;
+    coefficients(&scene.model)
 }
 
 /// Refuses supports that reach too far for sums over the lattice, where the scene needs them.
 pub(super) fn reach(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
     let sums = scene.model.normalize_mass || scene.corrects_pressure();
-    let elastic = scene.fluids().any(|fluid| fluid.elastic_stiffness > 0.0);
+    let elastic = scene.fluids.iter().any(|fluid| fluid.elastic_stiffness > 0.0);
     if (sums || elastic || !scene.walls.is_empty()) && scales.spacings(scene) > MOST_SPACINGS {
         return Err(SceneError::OutOfScale { field: "average_neighbours", value: average_neighbours(scene) });
     }
@@ -90,7 +94,17 @@ pub(super) fn elasticity(scene: &Scene) -> Result<(), SceneError> {
     }
 }
 
-fn fluid((number, fluid): (u32, &Fluid)) -> Result<(), SceneError> {
+/// The coefficients of formulas, which are the same for all fluids.
+fn coefficients(model: &Formulation) -> Result<(), SceneError> {
+    not_negative("model.alpha", model.alpha)?;
+    not_negative("model.beta", model.beta)?;
+    share("model.velocity_exchange", model.velocity_exchange)?;
+    share("model.radial_exchange", model.radial_exchange)?;
+    share("model.xsph", model.xsph)?;
+    share("model.heat_gain", model.heat_gain)
+}
+
+fn fluid((number, fluid): (usize, &Fluid)) -> Result<(), SceneError> {
     positive(field!(number, "rest_density"), fluid.rest_density)?;
     positive(field!(number, "speed_of_sound"), fluid.speed_of_sound)?;
     if let Some(own) = fluid.average_neighbours {
@@ -102,13 +116,7 @@ fn fluid((number, fluid): (u32, &Fluid)) -> Result<(), SceneError> {
     not_negative(field!(number, "dynamic_viscosity"), fluid.dynamic_viscosity)?;
     not_negative(field!(number, "surface_tension"), fluid.surface_tension)?;
     not_negative(field!(number, "elastic_stiffness"), fluid.elastic_stiffness)?;
-    not_negative(field!(number, "alpha"), fluid.alpha)?;
-    not_negative(field!(number, "beta"), fluid.beta)?;
-    share(field!(number, "velocity_exchange"), fluid.velocity_exchange)?;
-    share(field!(number, "radial_exchange"), fluid.radial_exchange)?;
-    share(field!(number, "xsph"), fluid.xsph)?;
     not_negative(field!(number, "near_stiffness"), fluid.near_stiffness.unwrap_or(0.0))?;
-    share(field!(number, "heat_gain"), fluid.heat_gain)?;
     not_negative(field!(number, "internal_energy"), fluid.internal_energy)?;
     fluid.colour.iter().flatten().try_for_each(|&colour| share(field!(number, "colour"), colour))
 }

@@ -11,7 +11,7 @@ pub(super) fn check(scene: &Scene, derived: &Derived) -> Result<(), SceneError> 
         let fine = derived.iter().all(|d| d.is_finite() && *d > 0.0);
         if fine { Ok(()) } else { Err(SceneError::OutOfScale { field, value }) }
     };
-    for (number, (fluid, constants)) in scene.fluids().zip(&derived.fluids).enumerate() {
+    for (number, (fluid, constants)) in scene.fluids.iter().zip(&derived.fluids).enumerate() {
         let [state, near, ..] = materials.states[number];
         let [pressure_response, offset, compressibility, _] = materials.corrections[number];
         let correction = pressure_response * scene.time_step * scene.time_step + offset;
@@ -31,7 +31,7 @@ pub(super) fn check(scene: &Scene, derived: &Derived) -> Result<(), SceneError> 
         }
     }
     scale("time_step", scene.time_step, &[derived.step.inverse_time_step])?;
-    scale("fluid.rest_density", scene.fluid.rest_density, &[p.particle_mass])?;
+    scale("fluids[0].rest_density", scene.first_fluid().rest_density, &[p.particle_mass])?;
     let of_length = [
         p.density_constant,
         p.inverse_cell[0],

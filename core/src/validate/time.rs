@@ -50,7 +50,7 @@ pub(super) fn integrator(scene: &Scene) -> Result<(), SceneError> {
         if [speed, acceleration, sound, viscosity].iter().all(Option::is_none) {
             return Err(not_together("adaptive", "no criterion", "there is nothing for the time step to follow"));
         }
-        if model.viscosity == Viscosity::VelocityExchange || scene.fluid.radial_exchange > 0.0 {
+        if model.viscosity == Viscosity::VelocityExchange || scene.model.radial_exchange > 0.0 {
             return Err(not_together(
                 "adaptive",
                 "exchanges of velocity",
@@ -110,7 +110,7 @@ fn stiffness(scene: &Scene) -> Result<(), SceneError> {
             "either the stiffness follows from the time step or the time step from the stiffness",
         ));
     }
-    if let Some(number) = scene.fluids().position(|fluid| fluid.stiffness.is_some()) {
+    if let Some(number) = scene.fluids.iter().position(|fluid| fluid.stiffness.is_some()) {
         return Err(not_together("stiffness_for_time_step", field!(number, "stiffness"), "it already says how stiff"));
     }
     if scene.corrects_pressure() {

@@ -38,8 +38,8 @@ pub(super) fn check(scene: &Scene) -> Result<(), SceneError> {
         (model.surface_normals, "model.surface_normals", once),
         (model.internal_energy, "model.internal_energy", once),
         (model.viscosity == Viscosity::VelocityExchange, "model.viscosity Exchange", once),
-        (scene.fluids().any(|fluid| fluid.radial_exchange != 0.0), "fluid.radial_exchange", once),
-        (scene.fluids().any(|fluid| fluid.xsph != 0.0), "fluid.xsph", once),
+        (model.radial_exchange != 0.0, "model.radial_exchange", once),
+        (model.xsph != 0.0, "model.xsph", once),
         (scene.air.is_some(), "air", once),
     ];
     let first = refused.into_iter().find(|(is_asked, ..)| *is_asked);

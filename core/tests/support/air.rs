@@ -13,7 +13,7 @@ pub fn drop(dimension: Dimension, capacity: u32) -> Scene {
     let air = Fluid { rest_density: 100.0, speed_of_sound: 31.0, dynamic_viscosity: 0.1, ..Fluid::default() };
     let block = Block { corner: [0.3; 3], size: [0.3; 3], velocity: [1.0, 0.5, 0.0], ..Block::default() };
     let mut scene = Scene::of(dimension, SPACING, 0.0002, water, block);
-    let _ = scene.other_fluids.push(air);
+    let _ = scene.fluids.push(air);
     scene.model = Formulation::multiphase();
     scene.grid = Grid { cells: [7, 7, 5], ..Grid::default() };
     scene.air = Some(Air { fluid: 1, capacity, threshold: 0.5, minimum_density: 0.5 });
@@ -42,7 +42,7 @@ pub fn scenes(base: &Scene) -> Vec<(&'static str, Scene)> {
             "tension",
             changed(&|s| {
                 s.model.surface_tension = SurfaceTension::NormalCurvature;
-                s.fluid.surface_tension = 1.0;
+                s.fluids[0].surface_tension = 1.0;
             }),
         ),
         (
@@ -71,8 +71,8 @@ pub fn scenes(base: &Scene) -> Vec<(&'static str, Scene)> {
             "heat, XSPH and springs",
             changed(&|s| {
                 s.model.internal_energy = true;
-                (s.fluid.xsph, s.fluid.elastic_stiffness) = (0.3, 100.0);
-                s.other_fluids[0].internal_energy = 3.0;
+                (s.model.xsph, s.fluids[0].elastic_stiffness) = (0.3, 100.0);
+                s.fluids[1].internal_energy = 3.0;
             }),
         ),
         (

@@ -57,7 +57,7 @@ fn more_particles_than_places() -> Refused {
 fn not_finite_any_more() -> Refused {
     // so stiff a fluid that the first pair to meet overflows; apart, nothing acts. Both overflow: the smaller id is named
     let mut scene = thesis_cube(0.8);
-    scene.fluid.speed_of_sound = 1e18;
+    scene.fluids[0].speed_of_sound = 1e18;
     (scene.model.near_pressure, scene.model.pressure_kernel) = (NearPressure::Off, Kernel::CubicSpline);
     // particle 0 stands in the cell of particle 1, out of everyone's reach, and must not be drawn in by a lane beside it
     let at = [[4.945, 0.0, 0.0], [5.025, 0.06, 0.06], [5.125, 0.06, 0.06]];

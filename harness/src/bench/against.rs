@@ -81,9 +81,9 @@ mod tests {
 
     #[test]
     fn the_other_build_is_called_as_this_one_was_but_for_what_is_this_ones_own() {
-        let given = "bench drop --against old --steps 3 --rounds=2 --set fluid.xsph=0.1 --json --out=x --threads 1";
+        let given = "bench drop --against old --steps 3 --rounds=2 --set model.xsph=0.1 --json --out=x --threads 1";
         let kept = arguments(given.split(' ').map(OsString::from));
-        let expected = "bench drop --steps 3 --set fluid.xsph=0.1 --threads 1 --json";
+        let expected = "bench drop --steps 3 --set model.xsph=0.1 --threads 1 --json";
         assert_eq!(kept, expected.split(' ').map(OsString::from).collect::<Vec<_>>());
     }
 }

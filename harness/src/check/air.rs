@@ -153,7 +153,7 @@ fn scene((density, coat): (DensityForm, Option<Coat>)) -> Scene {
     if let Some(Coat { ratio, sound, threshold }) = coat {
         let (rest_density, dynamic_viscosity) = (WATER / ratio, VISCOSITY);
         let air = Fluid { rest_density, speed_of_sound: sound, dynamic_viscosity, ..Fluid::default() };
-        let _ = scene.other_fluids.push(air);
+        let _ = scene.fluids.push(air);
         let capacity = ROOM * 4 * u32::from(EDGE);
         scene.air = Some(Air { fluid: 1, capacity, threshold, minimum_density: MINIMUM });
     }

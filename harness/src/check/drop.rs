@@ -189,7 +189,7 @@ impl Droplet {
         let spacing = if like { self.spacing * setting.looser } else { self.spacing };
         let mut scene = Scene::of(Dimension::Two, spacing, 1.0, drop, block);
         if like {
-            scene.other_fluids = [drop].into_iter().collect();
+            scene.fluids.extend([drop]);
             scene.periodic =
                 Some(Periodic { low: [-half, -half, 0.0], high: [half, half, 0.0], axes: [true, true, false] });
         }
@@ -269,7 +269,7 @@ impl Droplet {
 fn time_step(scene: &Scene, viscosity: f64) -> f64 {
     let support = support_radius(scene);
     let h = support / 2.0;
-    let sound = COURANT * support / f64::from(scene.fluid.speed_of_sound);
+    let sound = COURANT * support / f64::from(scene.fluids[0].speed_of_sound);
     let diffusion = DIFFUSION * h * h / viscosity;
     // models without a tension of their own make less than this one
     let capillary = CAPILLARY * (f64::from(REST_DENSITY) * h.powi(3) / (2.0 * PI * f64::from(SIGMA))).sqrt();

@@ -1,6 +1,6 @@
 //! Kernels from tables (Pirovano, section 4.2.3) beside kernels by formula: how far apart a step comes out, and what it costs.
 use super::flow::{checked, fluid, grid, mean, start_with};
-use super::recipes::{DENSITY_PROPORTIONAL, WENDLAND};
+use super::recipes::{PIROVANO, WENDLAND};
 use super::{Context, Metric};
 use crate::failure::Failure;
 use crate::outcome::table;
@@ -38,7 +38,7 @@ struct AxisSetter {
 /// # Errors
 /// A scene that cannot run.
 pub(super) fn figures(context: &Context) -> Result<(Vec<Metric>, String), Failure> {
-    let models = [("thesis", DENSITY_PROPORTIONAL), ("modern", WENDLAND)];
+    let models = [("thesis", PIROVANO), ("modern", WENDLAND)];
     let mut figures = Vec::new();
     let mut lines = Vec::new();
     let bar = progress("kernels, from tables", 3 * models.len() as u64);

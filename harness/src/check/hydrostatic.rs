@@ -90,8 +90,8 @@ fn settle(
     scene.model.density = density;
     scene.model.initialize_hydrostatic = true;
     scene.model.viscosity = Viscosity::Artificial;
-    scene.fluid.alpha = ALPHA;
-    scene.fluid.beta = 0.0;
+    scene.model.alpha = ALPHA;
+    scene.model.beta = 0.0;
     scene.wind = Some(Wind { velocity: [0.0; 3], drag: DRAG });
     let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);

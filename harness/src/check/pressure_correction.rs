@@ -52,7 +52,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         jitter: 0.0,
     };
     let mut scene = column.scene();
-    scene.fluid.dynamic_viscosity = VISCOSITY;
+    scene.fluids[0].dynamic_viscosity = VISCOSITY;
     scene.model.pressure_solver = PressureSolver::PressureCorrection;
     scene.model.pressure_force = PressureForce::Monaghan;
     scene.model.initialize_hydrostatic = true;

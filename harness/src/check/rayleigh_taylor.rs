@@ -144,7 +144,7 @@ fn scene(across: u16, (density, pressure_force): Form) -> Scene {
     let below = Block { size: [1.0, depth, 0.0], ..Block::default() };
     let above = Block { fluid: 1, corner: [0.0, depth, 0.0], ..below };
     let mut scene = Scene::of(Dimension::Two, 1.0 / f32::from(across), 1.0, fluid(0), below);
-    scene.other_fluids = [fluid(1)].into_iter().collect();
+    scene.fluids.extend([fluid(1)]);
     scene.blocks = [below, above].into_iter().collect();
     scene.average_neighbours = NEIGHBOURS;
     scene.time_step = (COURANT * support_radius(&scene) / SPEED_OF_SOUND) as f32;
@@ -275,7 +275,7 @@ fn oil_in_water() -> Scene {
     let [width, height] = TANK;
     let block = Block { size: [width, height, 0.0], ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, OIL_SPACING, 1.0, water, block);
-    scene.other_fluids = [oil].into_iter().collect();
+    scene.fluids.extend([oil]);
     scene.average_neighbours = NEIGHBOURS;
     scene.time_step = (COURANT * support_radius(&scene) / f64::from(oil.speed_of_sound)) as f32;
     scene.gravity = [0.0, -GRAVITY as f32, 0.0];

@@ -5,7 +5,7 @@ use millpond_core::scene::{
 };
 
 /// The choices of the thesis for a single fluid.
-pub(super) const DENSITY_PROPORTIONAL: Formulation = Formulation {
+pub(super) const PIROVANO: Formulation = Formulation {
     integrator: Integrator::ModifiedVelocityVerlet,
     reevaluate: false,
     density_kernel: Kernel::Poly6,
@@ -22,10 +22,16 @@ pub(super) const DENSITY_PROPORTIONAL: Formulation = Formulation {
     pressure_force: PressureForce::Mueller,
     near_pressure: NearPressure::DensityProportional,
     viscosity: Viscosity::Mueller,
+    alpha: 1.0,
+    beta: 2.0,
+    velocity_exchange: 0.0,
+    radial_exchange: 0.0,
+    xsph: 0.0,
     surface_tension: SurfaceTension::Off,
     surface_threshold: 0.1,
     surface_normals: false,
     internal_energy: false,
+    heat_gain: 1.0,
     variable_support: None,
     wall_pressure: WallPressure::Mirrored,
 };
@@ -38,7 +44,7 @@ pub(super) const WENDLAND: Formulation = Formulation {
     pressure_force: PressureForce::Monaghan,
     near_pressure: NearPressure::Off,
     viscosity: Viscosity::Morris,
-    ..DENSITY_PROPORTIONAL
+    ..PIROVANO
 };
 
 /// The same for several fluids: a density without smearing across an interface, and the force of Hu and Adams.

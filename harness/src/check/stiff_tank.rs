@@ -60,7 +60,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let figures = vec![
         Metric::above(
             "speed of sound over the fastest flow",
-            f64::from(scene.fluid.speed_of_sound) / fastest,
+            f64::from(scene.fluids[0].speed_of_sound) / fastest,
             STIFFNESS,
         ),
         Metric::below("mean density error, at most", mean, DENSITY_LIMIT),

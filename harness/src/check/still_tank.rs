@@ -84,8 +84,8 @@ fn rest(context: &Context, column: &Column, density: DensityForm) -> Result<Rest
     scene.model.density = density;
     scene.model.initialize_hydrostatic = true;
     scene.model.viscosity = Viscosity::Artificial;
-    scene.fluid.alpha = ALPHA;
-    scene.fluid.beta = 0.0;
+    scene.model.alpha = ALPHA;
+    scene.model.beta = 0.0;
     let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, scene.initial_particles().collect(), &mut heap)?;

@@ -1,7 +1,7 @@
 //! `tensile`: Pirovano test 1 (section 5.3.1). A cube of water without gravity, held together by its own suction, becomes a
 //! sphere; near pressure keeps its particles from clustering, and without it they do.
 use super::flow::{checked, fluid, grid, mean, start_with, step, steps_to};
-use super::recipes::DENSITY_PROPORTIONAL;
+use super::recipes::PIROVANO;
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
@@ -89,14 +89,14 @@ fn scene(context: &Context, near_pressure: NearPressure) -> Scene {
     let block = Block { corner: [-edge / 2.0; 3], size: [edge; 3], ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, SPACING, TIME_STEP, water, block);
     scene.average_neighbours = AVERAGE_NEIGHBOURS;
-    scene.model = Formulation { near_pressure, ..DENSITY_PROPORTIONAL };
+    scene.model = Formulation { near_pressure, ..PIROVANO };
     scene.grid = grid(Dimension::Three, 16);
     scene
 }
 
 fn evolve(context: &Context, near_pressure: NearPressure, end: f64) -> Result<Blob, Failure> {
     let scene = scene(context, near_pressure);
-    let rest = f64::from(scene.fluid.rest_density);
+    let rest = f64::from(scene.fluids[0].rest_density);
     let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, scene.initial_particles().collect(), &mut heap)?;

@@ -57,7 +57,7 @@ type Form = (DensityForm, PressureForce);
 /// The first one has limits; the second has the thesis' gradient, of which half of the step of the weight is missing in the
 /// rows at the interface.
 const ADAPTED: Form = (DensityForm::SummationAdapted, PressureForce::DensityWeighted);
-const DENSITY_PROPORTIONAL: Form = (DensityForm::SummationAdapted, PressureForce::MonaghanAdapted);
+const SYMMETRIC: Form = (DensityForm::SummationAdapted, PressureForce::MonaghanAdapted);
 const CLASSIC: Form = (DensityForm::Summation, PressureForce::Monaghan);
 
 /// A ratio of densities.
@@ -77,7 +77,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         let classic = rest(context, side, case, CLASSIC);
         figures.extend(adapted.figures());
         lines.push(line(case, ADAPTED, Ok(&adapted)));
-        lines.push(line(case, DENSITY_PROPORTIONAL, rest(context, side, case, DENSITY_PROPORTIONAL).as_ref()));
+        lines.push(line(case, SYMMETRIC, rest(context, side, case, SYMMETRIC).as_ref()));
         lines.push(line(case, CLASSIC, classic.as_ref()));
         let smeared = start(&scene(side, case.ratio, CLASSIC), side)?;
         profiles.push(profile(case, &smeared, &adapted, classic.as_ref().ok()));
@@ -152,13 +152,12 @@ fn profile(case: Case, smeared: &[Row], adapted: &Rest, classic: Option<&Rest>) 
 }
 
 fn scene(side: u16, ratio: f32, (density, pressure_force): Form) -> Scene {
-    let heavy =
-        Fluid { rest_density: HEAVY, speed_of_sound: SPEED_OF_SOUND, alpha: ALPHA, beta: 0.0, ..Fluid::default() };
+    let heavy = Fluid { rest_density: HEAVY, speed_of_sound: SPEED_OF_SOUND, ..Fluid::default() };
     let light = Fluid { rest_density: HEAVY / ratio, speed_of_sound: SPEED_OF_SOUND * ratio.sqrt(), ..heavy };
     let below = Block { size: [1.0, 0.5, 0.0], ..Block::default() };
     let above = Block { fluid: 1, corner: [0.0, 0.5, 0.0], ..below };
     let mut scene = Scene::of(Dimension::Two, 1.0 / f32::from(side), 1.0, heavy, below);
-    scene.other_fluids = [light].into_iter().collect();
+    scene.fluids.extend([light]);
     scene.blocks = [below, above].into_iter().collect();
     let (kernel, neighbours) = KERNEL;
     scene.average_neighbours = neighbours;
@@ -168,6 +167,8 @@ fn scene(side: u16, ratio: f32, (density, pressure_force): Form) -> Scene {
         density,
         pressure_force,
         viscosity: Viscosity::Artificial,
+        alpha: ALPHA,
+        beta: 0.0,
         // under the lid the weight leaves no pressure: what pulls there pulls particles into the wall
         negative_pressure: false,
         initialize_hydrostatic: true,
@@ -227,7 +228,7 @@ fn labels(context: &Context, side: u16, form: Form) -> Result<f64, Failure> {
         block.jitter = JITTER;
     }
     let mut one = two.clone();
-    one.other_fluids.clear();
+    one.fluids.truncate(1);
     for block in &mut one.blocks {
         block.fluid = 0;
     }

@@ -97,7 +97,7 @@ impl Pair {
         self.max_abs.position = larger(self.max_abs.position, found.max_abs.position);
         self.max_abs.velocity = larger(self.max_abs.velocity, found.max_abs.velocity);
         self.within_tolerance = self.max_abs.position <= TOLERANCE * f64::from(scene.particle_spacing)
-            && self.max_abs.velocity <= TOLERANCE * f64::from(scene.fluid.speed_of_sound);
+            && self.max_abs.velocity <= TOLERANCE * f64::from(scene.fluids[0].speed_of_sound);
     }
 
     /// Writes down that the path stopped at a step.

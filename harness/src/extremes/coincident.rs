@@ -43,7 +43,7 @@ pub fn cases() -> Result<Vec<Case>, Failure> {
         add(&format!("pressure force {force:?}, surface tension {tension:?}"), &|s| {
             (s.model.pressure_force, s.model.density) = (force, DensityForm::NumberDensity);
             s.model.surface_tension = tension;
-            s.fluid.surface_tension = if tension == SurfaceTension::Off { 0.0 } else { 1.0 };
+            s.fluids[0].surface_tension = if tension == SurfaceTension::Off { 0.0 } else { 1.0 };
         });
     }
     for (&density, &state) in DensityForm::ALL.iter().zip(EquationOfState::ALL.iter().cycle()) {
@@ -60,14 +60,14 @@ pub fn cases() -> Result<Vec<Case>, Failure> {
     for &viscosity in Viscosity::ALL {
         add(&format!("viscosity {viscosity:?}, heat"), &|s| {
             (s.model.viscosity, s.model.density) = (viscosity, DensityForm::SummationAdapted);
-            (s.model.internal_energy, s.fluid.velocity_exchange) = (true, 0.1);
+            (s.model.internal_energy, s.model.velocity_exchange) = (true, 0.1);
         });
     }
     for evaluation in [Evaluation::Table, Evaluation::SquaredTable] {
         add(&format!("kernels by {evaluation:?}"), &|s| s.model.evaluation = evaluation);
     }
-    add("springs", &|s| s.fluid.elastic_stiffness = 100.0);
-    add("XSPH", &|s| s.fluid.xsph = 0.5);
+    add("springs", &|s| s.fluids[0].elastic_stiffness = 100.0);
+    add("XSPH", &|s| s.model.xsph = 0.5);
     add("variable support", &|s| s.model.variable_support = Some(SupportRange { smallest: 0.5, largest: 2.0 }));
     Ok(cases)
 }

@@ -25,24 +25,24 @@ const NUMBERS: &[(&str, Number)] = &[
     ("wind.drag", |s| Some(&mut wind(s).drag)),
     ("acceleration_field.low", |s| field(s).low.first_mut()),
     ("acceleration_field.spacing", |s| Some(&mut field(s).spacing)),
-    ("fluid.rest_density", |s| Some(&mut s.fluid.rest_density)),
-    ("fluid.speed_of_sound", |s| Some(&mut s.fluid.speed_of_sound)),
-    ("fluid.average_neighbours", |s| Some(s.fluid.average_neighbours.get_or_insert(20.0))),
-    ("fluid.stiffness", |s| Some(s.fluid.stiffness.get_or_insert(1000.0))),
-    ("fluid.dynamic_viscosity", |s| Some(&mut s.fluid.dynamic_viscosity)),
-    ("fluid.surface_tension", |s| Some(&mut pulled(s).surface_tension)),
-    ("fluid.elastic_stiffness", |s| Some(&mut s.fluid.elastic_stiffness)),
-    ("fluid.alpha", |s| Some(&mut s.fluid.alpha)),
-    ("fluid.beta", |s| Some(&mut s.fluid.beta)),
-    ("fluid.velocity_exchange", |s| Some(&mut s.fluid.velocity_exchange)),
-    ("fluid.radial_exchange", |s| Some(&mut s.fluid.radial_exchange)),
-    ("fluid.xsph", |s| Some(&mut s.fluid.xsph)),
-    ("fluid.near_stiffness", |s| Some(s.fluid.near_stiffness.get_or_insert(1.0))),
-    ("fluid.heat_gain", |s| Some(&mut s.fluid.heat_gain)),
-    ("fluid.internal_energy", |s| Some(&mut heated(s).internal_energy)),
-    ("fluid.colour", |s| s.fluid.colour.get_or_insert([0.0; 3]).first_mut()),
-    ("other_fluids.rest_density", |s| Some(&mut other(s)?.rest_density)),
-    ("other_fluids.speed_of_sound", |s| Some(&mut other(s)?.speed_of_sound)),
+    ("fluids[0].rest_density", |s| Some(&mut s.fluids[0].rest_density)),
+    ("fluids[0].speed_of_sound", |s| Some(&mut s.fluids[0].speed_of_sound)),
+    ("fluids[0].average_neighbours", |s| Some(s.fluids[0].average_neighbours.get_or_insert(20.0))),
+    ("fluids[0].stiffness", |s| Some(s.fluids[0].stiffness.get_or_insert(1000.0))),
+    ("fluids[0].dynamic_viscosity", |s| Some(&mut s.fluids[0].dynamic_viscosity)),
+    ("fluids[0].surface_tension", |s| Some(&mut pulled(s).surface_tension)),
+    ("fluids[0].elastic_stiffness", |s| Some(&mut s.fluids[0].elastic_stiffness)),
+    ("model.alpha", |s| Some(&mut s.model.alpha)),
+    ("model.beta", |s| Some(&mut s.model.beta)),
+    ("model.velocity_exchange", |s| Some(&mut s.model.velocity_exchange)),
+    ("model.radial_exchange", |s| Some(&mut s.model.radial_exchange)),
+    ("model.xsph", |s| Some(&mut s.model.xsph)),
+    ("fluids[0].near_stiffness", |s| Some(s.fluids[0].near_stiffness.get_or_insert(1.0))),
+    ("model.heat_gain", |s| Some(&mut s.model.heat_gain)),
+    ("fluids[0].internal_energy", |s| Some(&mut heated(s).internal_energy)),
+    ("fluids[0].colour", |s| s.fluids[0].colour.get_or_insert([0.0; 3]).first_mut()),
+    ("fluids[1].rest_density", |s| Some(&mut other(s)?.rest_density)),
+    ("fluids[1].speed_of_sound", |s| Some(&mut other(s)?.speed_of_sound)),
     ("blocks.corner", |s| s.blocks.first_mut()?.corner.first_mut()),
     ("blocks.size", |s| s.blocks.first_mut()?.size.first_mut()),
     ("blocks.velocity", |s| s.blocks.first_mut()?.velocity.first_mut()),
@@ -91,7 +91,7 @@ const DERIVED: &[(&str, &str)] = &[
     // which may not be smaller
     ("adaptive.smallest", "adaptive.largest"),
     // which is scaled to it
-    ("stiffness_for_time_step", "fluid.speed_of_sound"),
+    ("stiffness_for_time_step", "fluids[0].speed_of_sound"),
 ];
 
 /// The cases: as no number each is refused by its name; as 1e30 it runs, or the refusal names it or what follows from it.
@@ -125,18 +125,18 @@ fn field(scene: &mut Scene) -> &mut AccelerationField {
 
 fn pulled(scene: &mut Scene) -> &mut Fluid {
     scene.model.surface_tension = SurfaceTension::NormalCurvature;
-    &mut scene.fluid
+    &mut scene.fluids[0]
 }
 
 fn heated(scene: &mut Scene) -> &mut Fluid {
     scene.model.internal_energy = true;
-    &mut scene.fluid
+    &mut scene.fluids[0]
 }
 
 fn other(scene: &mut Scene) -> Option<&mut Fluid> {
     // no more than a scene can have
-    let _ = scene.other_fluids.push(Fluid::default());
-    scene.other_fluids.last_mut()
+    let _ = scene.fluids.push(Fluid::default());
+    scene.fluids.last_mut()
 }
 
 fn walled(scene: &mut Scene) -> Option<&mut Wall> {
@@ -156,7 +156,7 @@ fn periodic(scene: &mut Scene) -> &mut Periodic {
 }
 
 fn elastic(scene: &mut Scene) -> &mut millpond_core::scene::Elasticity {
-    scene.fluid.elastic_stiffness = 1000.0;
+    scene.fluids[0].elastic_stiffness = 1000.0;
     &mut scene.elasticity
 }
 

@@ -49,7 +49,7 @@ impl Measure {
             Measure::Contained => vec![Metric::below("behind walls", outside(run) as f64, 0.0), grown()?],
             Measure::Subsonic => {
                 let fastest = summarize(run.scene, run.end)?.fastest;
-                let sound = f64::from(run.scene.fluid.speed_of_sound);
+                let sound = f64::from(run.scene.fluids[0].speed_of_sound);
                 vec![Metric::below("fastest over sound", fastest / sound, 1.0)]
             }
             Measure::Honest => match said(run)? {

@@ -90,13 +90,13 @@ fn supports(dam: &Scene) -> Vec<Case> {
 }
 
 fn viscosities(dam: &Scene) -> Vec<Case> {
-    let none = changed(dam, |s| s.fluid.dynamic_viscosity = 0.0);
+    let none = changed(dam, |s| s.fluids[0].dynamic_viscosity = 0.0);
     let mut cases = vec![Case::of_scene("no viscosity", none, STEPS, End::Either(Measure::Honest))];
     for viscosity in [Viscosity::Mueller, Viscosity::Morris, Viscosity::MonaghanGingold] {
         for mu in [1e3, 1e9] {
             let scene = changed(dam, |s| {
                 s.model.viscosity = viscosity;
-                s.fluid.dynamic_viscosity = mu;
+                s.fluids[0].dynamic_viscosity = mu;
                 // a lattice that falls as a whole has no velocities to reverse
                 s.blocks.iter_mut().for_each(|block| block.jitter = 0.1);
             });
@@ -106,7 +106,7 @@ fn viscosities(dam: &Scene) -> Vec<Case> {
     }
     let artificial = changed(dam, |s| {
         s.model.viscosity = Viscosity::Artificial;
-        s.fluid.alpha = 1e6;
+        s.model.alpha = 1e6;
     });
     cases.push(Case::of_scene("an artificial viscosity of alpha 1e6", artificial, STEPS, End::Either(Measure::Honest)));
     cases
@@ -115,7 +115,7 @@ fn viscosities(dam: &Scene) -> Vec<Case> {
 fn sound(dam: &Scene) -> Vec<Case> {
     let with = |speed: f32, time_step: f32| {
         changed(dam, |s| {
-            s.fluid.speed_of_sound = speed;
+            s.fluids[0].speed_of_sound = speed;
             s.time_step = time_step;
         })
     };
@@ -149,7 +149,7 @@ fn sound(dam: &Scene) -> Vec<Case> {
 fn nothing(dam: &Scene) -> Vec<Case> {
     let flat = changed(dam, |s| s.blocks.iter_mut().for_each(|block| block.size[1] = 0.0));
     let thin = changed(dam, |s| s.blocks.iter_mut().for_each(|block| block.size[1] = 0.4 * s.particle_spacing));
-    let weightless = changed(dam, |s| s.fluid.rest_density = 0.0);
+    let weightless = changed(dam, |s| s.fluids[0].rest_density = 0.0);
     let walls = changed(dam, |s| {
         s.blocks.clear();
         s.container = None;
@@ -158,7 +158,7 @@ fn nothing(dam: &Scene) -> Vec<Case> {
     });
     let size = End::Refused(|e| matches!(e, SceneError::NotPositive { field: "blocks.size", .. }));
     let empty = End::Refused(|e| matches!(e, SceneError::EmptyBlock { block: 0, axis: Axis::Y, .. }));
-    let density = End::Refused(|e| matches!(e, SceneError::NotPositive { field: "fluid.rest_density", .. }));
+    let density = End::Refused(|e| matches!(e, SceneError::NotPositive { field: "fluids[0].rest_density", .. }));
     vec![
         Case::of_scene("a block of no height", flat, 1, size),
         Case::of_scene("a block thinner than half a spacing", thin, 1, empty),

@@ -229,12 +229,12 @@ fn average_neighbours(scene: &mut Scene, value: f32) {
 
 /// Of the first fluid; those of the others stay in proportion.
 fn speed_of_sound(scene: &mut Scene, value: f32) -> Result<(), &'static str> {
-    if scene.fluids().any(|fluid| fluid.stiffness.is_some()) || scene.stiffness_for_time_step.is_some() {
+    if scene.fluids.iter().any(|fluid| fluid.stiffness.is_some()) || scene.stiffness_for_time_step.is_some() {
         return Err("the scene's sound follows from its stiffness");
     }
-    let share = value / scene.fluid.speed_of_sound;
-    scene.other_fluids.iter_mut().for_each(|fluid| fluid.speed_of_sound *= share);
-    scene.fluid.speed_of_sound = value;
+    let share = value / scene.fluids[0].speed_of_sound;
+    scene.fluids.iter_mut().skip(1).for_each(|fluid| fluid.speed_of_sound *= share);
+    scene.fluids[0].speed_of_sound = value;
     Ok(())
 }
 
@@ -255,8 +255,8 @@ fn viscosity(scene: &mut Scene, value: f32) -> Result<(), &'static str> {
 /// At equal bulk moduli: a fluid with the other's pressure and a share of its density has the faster sound. With the same
 /// sound it would be crushed by the other's weight at any step.
 fn density_ratio(scene: &mut Scene, value: f32) -> Result<(), &'static str> {
-    let first = scene.fluid;
-    let second = scene.other_fluids.first_mut().ok_or("the scene has one fluid, and a ratio needs two")?;
+    let first = scene.fluids[0];
+    let second = scene.fluids.get_mut(1).ok_or("the scene has one fluid, and a ratio needs two")?;
     second.rest_density = value * first.rest_density;
     second.speed_of_sound = first.speed_of_sound / value.sqrt();
     Ok(())
@@ -272,7 +272,7 @@ fn drop_speed(scene: &mut Scene, value: f32) -> Result<(), &'static str> {
 }
 
 fn each_fluid(scene: &mut Scene, put: impl FnMut(&mut Fluid)) {
-    std::iter::once(&mut scene.fluid).chain(&mut scene.other_fluids).for_each(put);
+    scene.fluids.iter_mut().for_each(put);
 }
 
 #[cfg(test)]
@@ -330,10 +330,10 @@ mod tests {
         // whichever way round: a ratio follows the speed of sound
         let pairs = [("density_ratio", "0.01"), ("speed_of_sound", "50"), ("viscosity", "7")];
         let scene = chosen("oil-and-water", &pairs).expect("it has two fluids");
-        let second = scene.other_fluids[0];
-        assert_eq!((scene.fluid.speed_of_sound, second.rest_density), (50.0, 10.0));
+        let second = scene.fluids[1];
+        assert_eq!((scene.fluids[0].speed_of_sound, second.rest_density), (50.0, 10.0));
         assert!((second.speed_of_sound - 500.0).abs() < 0.01, "{}", second.speed_of_sound);
-        assert_eq!((scene.fluid.dynamic_viscosity, second.dynamic_viscosity), (7.0, 7.0));
+        assert_eq!((scene.fluids[0].dynamic_viscosity, second.dynamic_viscosity), (7.0, 7.0));
         let scene = chosen("dam-break", &[("drop_speed", "5"), ("time_step", "0.002")]).expect("it has a block");
         assert_eq!((scene.blocks[0].velocity, scene.time_step), ([0.0, -5.0, 0.0], 0.002));
     }

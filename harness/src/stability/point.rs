@@ -229,7 +229,7 @@ mod tests {
         let limits = Limits { seconds: 0.01, most_steps: 1000 };
         let mut scene =
             crate::scenes::load("still-tank", &crate::scenes::Changes::default()).expect("built in").file.scene;
-        scene.fluid.rest_density = -1.0;
+        scene.fluids[0].rest_density = -1.0;
         let run = limits.run(&Point { choice: Choice::new(), scene }, &ResumeLog::default()).expect("it has no file");
         assert_eq!((run.outcome, run.too_long), (Outcome::Refused, false));
         assert!(run.detail.contains("rest_density is -1"), "{}", run.detail);

@@ -115,7 +115,7 @@ pub(super) fn execute(
 fn run(base: &Scene, point: (f32, f32), seconds: f64, most_steps: u64) -> (Run, bool) {
     let (stiffness, time_step) = point;
     let mut scene = base.clone();
-    scene.fluid.stiffness = Some(stiffness);
+    scene.fluids[0].stiffness = Some(stiffness);
     scene.time_step = time_step;
     let every = (seconds / f64::from(time_step) / MOST_POINTS as f64).ceil().max(1.0) as u64;
     let mut series = Vec::new();
@@ -155,7 +155,7 @@ fn height(scene: &Scene) -> f64 {
 /// Relative error of the mean density of the fluid (Hinsch 2024, section 7).
 fn error(scene: &Scene, solver: &Solver<'_>) -> f64 {
     let fluid: Vec<f64> = solver.particles().filter(|p| !p.wall && !p.inactive).map(|p| f64::from(p.density)).collect();
-    tree_sum(fluid.len(), &|i| fluid[i]) / fluid.len() as f64 / f64::from(scene.fluid.rest_density) - 1.0
+    tree_sum(fluid.len(), &|i| fluid[i]) / fluid.len() as f64 / f64::from(scene.fluids[0].rest_density) - 1.0
 }
 
 /// Mean magnitude over the second half of the time; none where the series ends before.

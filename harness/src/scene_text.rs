@@ -1,0 +1,117 @@
+//! The text of a scene file: where a field stands in it, and what files of earlier versions said otherwise.
+use std::borrow::Cow;
+
+/// The text as this version reads it, line by line as it was. Version 0.1 had `fluid` and, right after it, `other_fluids`, which are
+/// one list now; and a byte order mark, which some editors write, is no part of a scene.
+pub fn current(text: &str) -> Cow<'_, str> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let code = code_of(text);
+    let (Some(first), Some(others)) = (key(&code, "fluid"), key(&code, "other_fluids")) else { return text.into() };
+    let Some(list) = code[others..].find('[').map(|at| others + at + 1) else { return text.into() };
+    let after_first = first + "fluid:".len();
+    let is_next = code.get(after_first..others).is_some_and(|fluid| fluid.trim_end().ends_with("),"));
+    if !is_next || !code[first..].starts_with("fluid:") {
+        return text.into();
+    }
+    format!("{}fluids: [{}{}", &text[..first], &text[after_first..others], &text[list..]).into()
+}
+
+/// The line, counted from 1, where a field stands: `fluids[1].rest_density` or the end of such a path.
+pub fn line_of(text: &str, field: &str) -> Option<usize> {
+    let code = code_of(text);
+    let mut at = 0;
+    for step in field.split('.') {
+        let (name, item) = match step.split_once('[') {
+            Some((name, rest)) => (name, rest.trim_end_matches(']').parse().ok()),
+            None => (step, None),
+        };
+        at += key(&code[at..], name)?;
+        if let Some(item) = item {
+            at += start_of_item(&code[at..], item)?;
+        }
+    }
+    Some(1 + code[..at].matches('\n').count())
+}
+
+/// The text with blanks instead of its comments and quotations, so that lines stay where they are.
+fn code_of(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(c) = rest.chars().next() {
+        let end = match rest.as_bytes() {
+            [b'"', ..] => rest[1..].find('"').map_or(rest.len(), |i| i + 2),
+            [b'/', b'/', ..] => rest.find('\n').unwrap_or(rest.len()),
+            [b'/', b'*', ..] => rest.find("*/").map_or(rest.len(), |i| i + 2),
+            _ => c.len_utf8(),
+        };
+        let (part, after) = rest.split_at(end);
+        if part.len() > c.len_utf8() {
+            out.extend(part.chars().map(|c| if c == '\n' { '\n' } else { ' ' }));
+        } else {
+            out += part;
+        }
+        rest = after;
+    }
+    out
+}
+
+/// Where `name:` stands.
+fn key(code: &str, name: &str) -> Option<usize> {
+    let is_part = |c: char| c.is_alphanumeric() || c == '_';
+    let stands = |&(at, _): &(usize, &str)| {
+        !code[..at].ends_with(is_part) && code[at + name.len()..].trim_start().starts_with(':')
+    };
+    code.match_indices(name).find(stands).map(|(at, _)| at)
+}
+
+/// Where an item of the list that begins after here stands; the list may also be a single item without brackets.
+fn start_of_item(code: &str, item: usize) -> Option<usize> {
+    let start = code.find(['[', '('])?;
+    if code[start..].starts_with('(') {
+        return Some(start).filter(|_| item == 0);
+    }
+    let (mut depth, mut items) = (0, 0);
+    for (at, c) in code[start..].char_indices() {
+        match c {
+            '(' if depth == 1 => {
+                if items == item {
+                    return Some(start + at);
+                }
+                items += 1;
+                depth += 1;
+            }
+            '[' | '(' => depth += 1,
+            ']' | ')' => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return None;
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{current, line_of};
+
+    const TEXT: &str = "/* rest_density: of old\n*/\n(\n  about: \"rest_density: 1\", // rest_density: 2\n  fluids: [\n    \
+                        (rest_density: 1000.0),\n    (\n      rest_density: -5.0),\n  ],\n  container: (low: (0, 0)),\n)\n";
+
+    #[test]
+    fn files_of_the_first_version_are_read() {
+        let old = "\u{feff}(\n fluid: (a: 1), // water\n other_fluids: [\n  (a: 2),\n ],\n)";
+        assert_eq!(current(old), "(\n fluids: [ (a: 1), // water\n \n  (a: 2),\n ],\n)");
+        assert_eq!(current("(fluid: (a: 1), blocks: [])"), "(fluid: (a: 1), blocks: [])");
+    }
+
+    #[test]
+    fn a_field_is_found_in_its_item_and_never_in_a_comment() {
+        assert_eq!(line_of(TEXT, "fluids[0].rest_density"), Some(6));
+        assert_eq!(line_of(TEXT, "fluids[1].rest_density"), Some(8));
+        assert_eq!(line_of(TEXT, "rest_density"), Some(6));
+        assert_eq!(line_of(TEXT, "container.low"), Some(10));
+        assert_eq!(line_of(TEXT, "fluids[2].rest_density"), None);
+        assert_eq!(line_of(TEXT, "density"), None);
+    }
+}
