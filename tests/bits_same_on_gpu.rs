@@ -3,6 +3,7 @@
 use millpond::compare::difference;
 use millpond::snapshot::Snapshot;
 use millpond_core::OwnedMemory;
+use millpond_core::glam::Vec3;
 use millpond_core::scene::{Block, Dimension, GridStructure, InitialParticle, Scene};
 use millpond_core::{Plan, Requirements, Serial, Simd, Solver};
 use millpond_gpu::{GpuSolver, Mode};
@@ -59,8 +60,8 @@ fn for_no_particle_and_for_one() {
     let mut scene = support::scaled("dam-break-2d", 800).file.scene;
     scene.blocks.clear();
     check("bits_same_on_gpu, no particle", &scene, 3, 1);
-    let corner = [0.5, 1.0, 0.0];
-    let block = Block { corner, size: [scene.particle_spacing; 3], ..Block::default() };
+    let corner = Vec3::new(0.5, 1.0, 0.0);
+    let block = Block { corner, size: Vec3::splat(scene.particle_spacing), ..Block::default() };
     scene.blocks = [block].into_iter().collect();
     assert_eq!(checked(&scene).derived().particles(), 1);
     check("bits_same_on_gpu, one particle", &scene, 100, 10);

@@ -4,6 +4,7 @@
 //! scene can have, is refused by name and changes nothing.
 use millpond::compare::difference;
 use millpond::snapshot::Snapshot;
+use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     AccelerationField, AdaptiveTimeStep, Adjustable, Block, Container, Dimension, Fluid, Grid, Integrator, Scene,
     SurfaceTension, Wind,
@@ -17,11 +18,12 @@ use support::device;
 /// A block that falls into its box, with something of everything that can be changed.
 fn scene() -> Scene {
     let water = Fluid { dynamic_viscosity: 2.0, surface_tension: 3.0, ..Fluid::default() };
-    let block = Block { corner: [0.1, 0.05, 0.0], size: [0.4, 0.5, 0.0], jitter: 0.2, ..Block::default() };
+    let block =
+        Block { corner: Vec3::new(0.1, 0.05, 0.0), size: Vec3::new(0.4, 0.5, 0.0), jitter: 0.2, ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, 0.05, 0.001, water, block);
     scene.average_neighbours = 18.0;
-    scene.gravity = [0.0, -9.81, 0.0];
-    scene.wind = Some(Wind { velocity: [2.0, 0.0, 0.0], drag: 1.0 });
+    scene.gravity = Vec3::new(0.0, -9.81, 0.0);
+    scene.wind = Some(Wind { velocity: Vec3::new(2.0, 0.0, 0.0), drag: 1.0 });
     scene.model.surface_tension = SurfaceTension::Attraction;
     scene.container = Some(Container::closed([0.0; 3], [0.8, 0.8, 0.4]));
     scene.grid = Grid { cells: [8, 8, 4], ..Grid::default() };
@@ -38,7 +40,7 @@ const CHANGES: &[(&str, OnCpu, OnGpu, InScene)] = &[
         "gravity",
         |s| s.set_gravity([3.0, -4.0, 0.0]),
         |s| s.set_gravity([3.0, -4.0, 0.0]),
-        |s| s.gravity = [3.0, -4.0, 0.0],
+        |s| s.gravity = Vec3::new(3.0, -4.0, 0.0),
     ),
     ("no wind", |s| s.set_wind(None), |s| s.set_wind(None), |s| s.wind = None),
     ("time step", |s| s.set_time_step(0.0007), |s| s.set_time_step(0.0007), |s| s.time_step = 0.0007),
@@ -129,8 +131,9 @@ fn time_goes_on_from_where_the_step_was_changed() {
 fn a_displacement_that_is_remembered_follows_the_time_step() {
     // without any force Verlet's displacement is v dt, whatever dt becomes
     let mut alone = scene();
-    (alone.gravity, alone.wind, alone.container) = ([0.0; 3], None, None);
-    alone.blocks[0] = Block { size: [0.05, 0.05, 0.0], velocity: [1.0, 0.5, 0.0], ..Block::default() };
+    (alone.gravity, alone.wind, alone.container) = (Vec3::ZERO, None, None);
+    alone.blocks[0] =
+        Block { size: Vec3::new(0.05, 0.05, 0.0), velocity: Vec3::new(1.0, 0.5, 0.0), ..Block::default() };
     alone.model.integrator = Integrator::Verlet;
     let mut heap = memory(&alone);
     let mut solver = Solver::new(&alone, heap.lend()).expect("a scene");
@@ -149,11 +152,11 @@ fn a_displacement_that_is_remembered_follows_the_time_step() {
 #[test]
 fn what_the_plan_left_out_is_refused_by_name_unless_it_is_live() {
     let mut still = scene();
-    (still.gravity, still.wind) = ([0.0; 3], None);
+    (still.gravity, still.wind) = (Vec3::ZERO, None);
     (still.fluids[0].dynamic_viscosity, still.fluids[0].surface_tension) = (0.0, 0.0);
     let cases: [(Adjustable, OnCpu, &str); 4] = [
         (Adjustable::Gravity, |s| s.set_gravity([0.0, -1.0, 0.0]), "gravity"),
-        (Adjustable::Wind, |s| s.set_wind(Some(Wind { velocity: [1.0, 0.0, 0.0], drag: 1.0 })), "wind"),
+        (Adjustable::Wind, |s| s.set_wind(Some(Wind { velocity: Vec3::new(1.0, 0.0, 0.0), drag: 1.0 })), "wind"),
         (Adjustable::Viscosity, |s| s.set_viscosity(0, 1.0), "dynamic_viscosity"),
         (Adjustable::SurfaceTension, |s| s.set_surface_tension(0, 1.0), "fluids[0].surface_tension"),
     ];
@@ -196,8 +199,8 @@ fn a_speed_of_sound_that_follows_cannot_be_set() {
 #[test]
 fn a_field_that_is_refused_leaves_the_one_before() {
     let mut scene = scene();
-    scene.acceleration_field = Some(AccelerationField { low: [0.0; 3], spacing: 0.3, counts: [4, 4, 1] });
-    scene.gravity = [1e33, 0.0, 0.0];
+    scene.acceleration_field = Some(AccelerationField { low: Vec3::ZERO, spacing: 0.3, counts: [4, 4, 1] });
+    scene.gravity = Vec3::new(1e33, 0.0, 0.0);
     let mut heaps = [memory(&scene), memory(&scene)];
     let [first, second] = &mut heaps;
     let mut asked = Solver::new(&scene, first.lend()).expect("a scene");
@@ -246,7 +249,7 @@ fn what_no_scene_can_have_is_refused_and_changes_nothing() {
 fn a_fresh_device_refuses_what_its_first_accelerations_would_not_know() {
     let Some(gpu) = device("changes_between_steps", Mode::Strict) else { return };
     let mut field = scene();
-    field.acceleration_field = Some(AccelerationField { low: [0.0; 3], spacing: 0.4, counts: [3, 3, 1] });
+    field.acceleration_field = Some(AccelerationField { low: Vec3::ZERO, spacing: 0.4, counts: [3, 3, 1] });
     let mut heap = memory(&field);
     let solver = Solver::new(&field, heap.lend()).expect("a scene");
     let mut fluid = GpuSolver::new(&gpu, &solver).expect("a device that takes it");

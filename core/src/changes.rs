@@ -6,6 +6,7 @@ use crate::live::Change;
 use crate::scene::Wind;
 use crate::solver::Solver;
 use crate::terms::integrate::history_rescaled;
+use glam::Vec3;
 
 impl Solver<'_> {
     /// The host's field from now on, one acceleration a node of [`Scene::field`](crate::scene::Scene::field), x fastest, m/s2; the fourth numbers are
@@ -43,8 +44,8 @@ impl Solver<'_> {
     /// # Errors
     /// A value that no scene can have. A term that the plan left out, where the scene does not list it in
     /// [`Scene::adjustable`](crate::scene::Scene::adjustable). Before the first step also one that makes accelerations that are not finite. The fluid then is as it was.
-    pub fn set_gravity(&mut self, gravity: [f32; 3]) -> Result<(), SceneError> {
-        self.change(Change::Gravity(gravity))
+    pub fn set_gravity(&mut self, gravity: impl Into<Vec3>) -> Result<(), SceneError> {
+        self.change(Change::Gravity(gravity.into()))
     }
 
     /// Another wind from now on, or none.

@@ -50,6 +50,7 @@ mod step;
 pub mod terms;
 pub mod validate;
 
+pub use glam;
 pub use heapless;
 
 pub use arithmetic::level::Simd;

@@ -3,12 +3,13 @@ use crate::derive::Derived;
 use crate::error::SceneError;
 use crate::layout::{Materials, Model, Parameters, StepUniform};
 use crate::scene::{Adjustable, FLUIDS, Fluid, Integrator, Scene, SurfaceTension, Viscosity, Wind};
+use glam::Vec3;
 
 /// A change between two steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Change {
     /// Acceleration of gravity, m/s2.
-    Gravity([f32; 3]),
+    Gravity(Vec3),
     /// The wind, or none.
     Wind(Option<Wind>),
     /// The time step, s.
@@ -134,18 +135,24 @@ impl LiveScene {
             *values = [dynamic_viscosity, surface_tension, speed_of_sound, stiffness.unwrap_or(0.0)];
         }
         let wind = scene.wind.map_or([0.0; 4], |wind| {
-            let [x, y, z] = wind.velocity;
+            let [x, y, z] = wind.velocity.to_array();
             [x, y, z, wind.drag]
         });
-        LiveValues { gravity: scene.gravity, wind, has_wind: scene.wind.is_some(), time_step: scene.time_step, fluids }
+        LiveValues {
+            gravity: scene.gravity.to_array(),
+            wind,
+            has_wind: scene.wind.is_some(),
+            time_step: scene.time_step,
+            fluids,
+        }
     }
 
     /// The same scene with these values, and its constants.
     pub(crate) fn with_values(&self, values: &LiveValues) -> Result<(LiveScene, Constants), SceneError> {
         let mut next = self.clone();
         let [x, y, z, drag] = values.wind;
-        next.scene.gravity = values.gravity;
-        next.scene.wind = values.has_wind.then_some(Wind { velocity: [x, y, z], drag });
+        next.scene.gravity = values.gravity.into();
+        next.scene.wind = values.has_wind.then_some(Wind { velocity: [x, y, z].into(), drag });
         next.scene.time_step = values.time_step;
         let fluids = next.scene.fluids.iter_mut();
         for (fluid, [viscosity, tension, sound, stiffness]) in fluids.zip(values.fluids) {
@@ -178,7 +185,7 @@ impl LiveScene {
         match change {
             Change::Gravity(gravity) => {
                 self.scene.gravity = gravity;
-                kept(m.has_gravity == 1 || gravity == [0.0; 3], Adjustable::Gravity)
+                kept(m.has_gravity == 1 || gravity == Vec3::ZERO, Adjustable::Gravity)
             }
             Change::Wind(wind) => {
                 self.scene.wind = wind;

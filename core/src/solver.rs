@@ -22,14 +22,15 @@ use crate::validate::{Checked, check_count};
 /// A fluid that can be stepped.
 ///
 /// ```
+/// use millpond_core::glam::Vec3;
 /// use millpond_core::scene::{Block, Dimension, Fluid, Grid, Scene};
 /// use millpond_core::{Serial, Solver, Storage};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let water = Fluid { dynamic_viscosity: 1.0, ..Fluid::default() };
-/// let block = Block { size: [0.5; 3], ..Block::default() };
+/// let block = Block { size: Vec3::splat(0.5), ..Block::default() };
 /// let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, water, block);
-/// scene.gravity = [0.0, -9.81, 0.0];
+/// scene.gravity = Vec3::new(0.0, -9.81, 0.0);
 /// scene.grid = Grid { cells: [8, 8, 8], ..Grid::default() };
 /// let mut storage: Box<Storage<1000, 512>> = Storage::boxed();
 /// let mut solver = Solver::new(&scene, storage.lend())?;

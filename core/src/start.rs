@@ -75,13 +75,13 @@ impl Solver<'_> {
             let Some(place) = particles.next() else {
                 return Err(wrong(slot));
             };
-            let ([x, y, z], [u, v, w]) = (place.position, place.velocity);
+            let ([x, y, z], [u, v, w]) = (place.position.to_array(), place.velocity.to_array());
             if scene.dimension == Dimension::Two && (z != 0.0 || w != 0.0) {
                 return Err(SceneError::OutOfPlane);
             }
             let quantities = [
-                (&place.position[..], Quantity::Position),
-                (&place.velocity, Quantity::Velocity),
+                (&place.position.as_ref()[..], Quantity::Position),
+                (place.velocity.as_ref(), Quantity::Velocity),
                 (&[place.deviation, place.pressure], Quantity::Density),
             ];
             // a step would say of any of them that the place is out of range, or nothing

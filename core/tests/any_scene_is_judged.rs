@@ -1,6 +1,7 @@
 //! Promise: any scene, whatever numbers stand in it, is refused in words or accepted, and never panics; what was accepted says
 //! how much memory it needs. A call with the wrong number of entries says so. (That a refusal names the field is for
 //! `tests/extremes_end_well.rs`.)
+use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     AccelerationField, Air, Block, Container, Dimension, Elasticity, Fluid, Grid, Periodic, Scene, SupportRange, Wall,
     WallShape,
@@ -21,25 +22,25 @@ const CHANGES: [Change; 18] = [
     |s, x| s.fluids[0].rest_density = x,
     |s, x| s.fluids[0].speed_of_sound = x,
     |s, x| s.fluids[0].elastic_stiffness = x,
-    |s, x| s.blocks.iter_mut().for_each(|block| block.size = [x; 3]),
-    |s, x| s.blocks.iter_mut().for_each(|block| block.corner = [x; 3]),
+    |s, x| s.blocks.iter_mut().for_each(|block| block.size = Vec3::splat(x)),
+    |s, x| s.blocks.iter_mut().for_each(|block| block.corner = Vec3::splat(x)),
     |s, x| s.blocks.iter_mut().for_each(|block| block.jitter = x),
     |s, x| s.blocks.iter_mut().for_each(|block| block.fluid = x as u32),
     |s, x| s.elasticity = Elasticity { reach: x, capacity: Some(x as u32), ..s.elasticity },
-    |s, x| s.periodic = Some(Periodic { low: [0.0; 3], high: [x; 3], axes: [true; 3] }),
+    |s, x| s.periodic = Some(Periodic { low: Vec3::ZERO, high: Vec3::splat(x), axes: [true; 3] }),
     |s, x| s.model.variable_support = Some(SupportRange { smallest: 1.0, largest: x }),
-    |s, x| s.acceleration_field = Some(AccelerationField { low: [0.0; 3], spacing: 1.0, counts: [x as u32; 3] }),
+    |s, x| s.acceleration_field = Some(AccelerationField { low: Vec3::ZERO, spacing: 1.0, counts: [x as u32; 3] }),
     |s, x| s.grid.cells = [x as u32; 3],
     |s, x| s.air = Some(Air { fluid: 1, capacity: x as u32, threshold: 1.0, minimum_density: 0.5 }),
     |s, x| {
-        let shape = WallShape::Box { low: [0.0; 3], high: [x; 3], open: [].into_iter().collect() };
+        let shape = WallShape::Box { low: Vec3::ZERO, high: Vec3::splat(x), open: [].into_iter().collect() };
         s.walls = [Wall::still(shape)].into_iter().collect();
     },
 ];
 
 fn scene(dimension: Dimension) -> Scene {
     let jelly = Fluid { elastic_stiffness: 10.0, ..Fluid::default() };
-    let block = Block { size: [0.3; 3], ..Block::default() };
+    let block = Block { size: Vec3::splat(0.3), ..Block::default() };
     let mut scene = Scene::of(dimension, 0.05, 0.001, jelly, block);
     scene.fluids.extend([Fluid::default()]);
     scene.blocks = [block, block].into_iter().collect();

@@ -1,6 +1,7 @@
 //! Promise: the half stencil computes what the full one does, but for the order of its sums: densities and accelerations agree to the
 //! rounding of such sums, whatever forms a scene chooses, and momentum strays by no more than rounding. Its bits are its own, and the same at
 //! every level, on any number of threads, with either structure of the grid, and however many particles a cell holds.
+use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     Block, DensityForm, Dimension, Fluid, Formulation, Grid, GridStructure, InitialParticle, Kernel, NearPressure,
     Periodic, PressureForce, Scene, Traversal, Viscosity,
@@ -104,10 +105,11 @@ fn agree(what: &str, full: &[([f64; 3], f64)], half: &[([f64; 3], f64)], neighbo
 /// Two jittered drops that collide, of two fluids where `light` is given, in a domain that wraps along x.
 fn collision(light: Option<f32>) -> Scene {
     let fluid = Fluid { dynamic_viscosity: 3.0, speed_of_sound: 15.0, ..Fluid::default() };
-    let block = Block { size: [0.3, 0.4, 0.2], velocity: [1.0, 0.2, 0.0], jitter: 0.3, ..Block::default() };
+    let block =
+        Block { size: Vec3::new(0.3, 0.4, 0.2), velocity: Vec3::new(1.0, 0.2, 0.0), jitter: 0.3, ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, 0.05, 0.0005, fluid, block);
-    let mut other = Block { corner: [0.32, 0.1, 0.05], velocity: [-1.0, 0.0, 0.1], ..block };
-    scene.periodic = Some(Periodic { low: [0.0; 3], high: [0.7, 1.0, 1.0], axes: [true, false, false] });
+    let mut other = Block { corner: Vec3::new(0.32, 0.1, 0.05), velocity: Vec3::new(-1.0, 0.0, 0.1), ..block };
+    scene.periodic = Some(Periodic { low: Vec3::ZERO, high: Vec3::new(0.7, 1.0, 1.0), axes: [true, false, false] });
     if let Some(rest_density) = light {
         let light = Fluid { rest_density, speed_of_sound: 18.0, dynamic_viscosity: 1.0, ..scene.fluids[0] };
         scene.fluids.push(light).expect("room for a fluid");

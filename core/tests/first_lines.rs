@@ -1,6 +1,7 @@
 //! Promise: the first lines of code that a host reads, in README and in the examples, compile and run as they stand.
 //!
 //! `stack_is_small.rs` runs them once more without optimisation, on a stack of 1 MiB.
+use millpond_core::glam::Vec3;
 use millpond_core::layout::f32x4;
 use millpond_core::scene::{Block, Dimension, Fluid, Scene};
 use millpond_core::{Serial, Solver, Storage};
@@ -31,7 +32,7 @@ fn of_the_readme() -> Result<(), Box<dyn Error>> {
         0.05,
         0.001,
         Fluid::default(),
-        Block { size: [0.8, 0.8, 0.8], jitter: 0.1, ..Block::default() },
+        Block { size: Vec3::new(0.8, 0.8, 0.8), jitter: 0.1, ..Block::default() },
     );
     let before = Block::default().velocity;
     let upload = |places: &[f32x4]| assert_eq!(places.len(), 4096);
@@ -39,7 +40,7 @@ fn of_the_readme() -> Result<(), Box<dyn Error>> {
     let mut solver = Solver::new(&scene, storage.lend())?;
     solver.step(&Serial)?;
     upload(solver.state().position);
-    assert!(solver.particles().any(|particle| particle.velocity.to_array() != before), "it moves");
+    assert!(solver.particles().any(|particle| particle.velocity != before), "it moves");
     Ok(())
 }
 
@@ -50,7 +51,7 @@ fn of_the_example_of_a_device_but_for_the_device() -> Result<(), Box<dyn Error>>
     stand_here(&lines);
 
     let fluid = Fluid { dynamic_viscosity: 10.0, ..Fluid::default() };
-    let block = Block { size: [0.8; 3], jitter: 0.1, ..Block::default() };
+    let block = Block { size: Vec3::splat(0.8), jitter: 0.1, ..Block::default() };
     let scene = Scene { average_neighbours: 27.0, ..Scene::of(Dimension::Three, 0.05, 0.001, fluid, block) };
     let mut storage: Box<Storage<4096, 32768>> = Storage::boxed();
     let mut on_cpu = Solver::new(&scene, storage.lend())?;

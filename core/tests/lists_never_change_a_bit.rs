@@ -1,6 +1,7 @@
 //! Promise: how much memory there is for neighbour lists changes time, never a bit, at any level: with lists that are full from the
 //! start, from the middle on, or of some groups; with windows of slots that run out; with more candidates or neighbours than are ever
 //! listed, beside walls too; and with groups that are not full. Each case is seen to be the case it is meant to be.
+use millpond_core::glam::Vec3;
 use millpond_core::scene::{Face, InitialParticle, Scene, Wall, WallPressure, WallShape};
 use millpond_core::{LIST_WORDS, ListReport, OwnedMemory, Plan, Requirements, Simd, Solver};
 
@@ -78,7 +79,7 @@ fn with_hundreds_and_thousands_in_a_cell() {
 fn with_a_crowd_beside_a_mirroring_wall() {
     let mut scene = Scene { time_step: 1e-12, container: None, ..dam_break_2d(0.3) };
     scene.model.wall_pressure = WallPressure::Mirrored;
-    let shape = WallShape::Plane { face: Face::Floor, low: [-0.5, 0.0, 0.0], high: [1.5, 0.0, 0.0] };
+    let shape = WallShape::Plane { face: Face::Floor, low: Vec3::new(-0.5, 0.0, 0.0), high: Vec3::new(1.5, 0.0, 0.0) };
     scene.walls.push(Wall::still(shape)).expect("room for a wall");
     let lists = check("a crowd at a wall", &scene, &with_a_crowd(&scene, start(&scene), 1100), 1);
     assert!(lists.listed > 0 && lists.listed < lists.groups, "{lists:?}");

@@ -122,7 +122,7 @@ fn across_the_seams_of_a_periodic_domain() {
         scene.blocks.clear();
         // 3 cells of 0.147 m fit in the plane, and no fourth
         let (low, high) = ([-0.1, 0.2, -0.3], [0.4, 0.7, 0.2]);
-        scene.periodic = Some(Periodic { low, high, axes });
+        scene.periodic = Some(Periodic { low: low.into(), high: high.into(), axes });
         let mut random = Random(5);
         let mut at = |axis: usize| low[axis] + random.unit() * (high[axis] - low[axis]);
         let flat = dimension == Dimension::Two;

@@ -2,6 +2,7 @@
 //! before.
 //!
 //! That a device refuses the same is for `gpu/tests/refusals_keep_state.rs`.
+use millpond_core::glam::Vec3;
 use millpond_core::scene::{GridStructure, InitialParticle, Scene};
 use millpond_core::{Axis, Memory, Plan, Quantity, Requirements, SceneError, Serial, Simd, Solver, StepError, Storage};
 
@@ -105,7 +106,7 @@ fn scenes_that_cannot_be() {
     assert_eq!(field(refused(&|s| s.container.as_mut().expect("a box").restitution = 1.5)), "container.restitution");
     assert_eq!(field(refused(&|s| s.container.as_mut().expect("a box").slip = -0.1)), "container.slip");
     // lengths whose fourth power is no f32
-    let tiny = refused(&|s| (s.particle_spacing, s.blocks[0].size) = (1e-12, [1e-12; 3]));
+    let tiny = refused(&|s| (s.particle_spacing, s.blocks[0].size) = (1e-12, Vec3::splat(1e-12)));
     assert_eq!(tiny, SceneError::OutOfScale { field: "particle_spacing", value: 1e-12 });
     // supports whose constants are no numbers are no fault of the spacing
     for value in [1e30, 1e-30] {
@@ -124,7 +125,7 @@ fn scenes_that_cannot_be() {
     assert_eq!(error, SceneError::TooManyCells { cells: [4096; 3], places: 1 });
     let error = refused(&|s| s.grid.structure = GridStructure::CellLists { places: 0 });
     assert_eq!(field(error), "grid.structure.places");
-    assert!(matches!(refused(&|s| s.blocks[0].size = [1e3; 3]), SceneError::TooManyParticles { .. }));
+    assert!(matches!(refused(&|s| s.blocks[0].size = Vec3::splat(1e3)), SceneError::TooManyParticles { .. }));
 
     let mut flat = dam_break_2d(1.0);
     flat.gravity[2] = 1.0;

@@ -1,4 +1,5 @@
 //! Promise: a number out of its bounds is refused by the name of its field, with its value and the bound; one within them is not.
+use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     AccelerationField, Block, Correction, Dimension, Face, Fluid, Periodic, Plasticity, Scene, SupportRange, Wall,
     WallShape,
@@ -32,28 +33,28 @@ fn numbers_out_of_bounds() {
     let result = scene(|s| (s.fluids[0].elastic_stiffness, s.elasticity.plasticity) = (10.0, plasticity));
     assert!(matches!(result, Err(SceneError::OutOfBounds { field: "elasticity.plasticity.rate", .. })), "{result:?}");
     let result =
-        scene(|s| s.acceleration_field = Some(AccelerationField { low: [0.0; 3], spacing: 0.1, counts: [4, 1, 4] }));
+        scene(|s| s.acceleration_field = Some(AccelerationField { low: Vec3::ZERO, spacing: 0.1, counts: [4, 1, 4] }));
     assert_eq!(result, Err(SceneError::TooFewPoints { axis: Axis::Y, points: 1 }));
     let axes = [false, true, false];
-    let result = scene(|s| s.periodic = Some(Periodic { low: [0.0; 3], high: [1.0, 0.0, 1.0], axes }));
+    let result = scene(|s| s.periodic = Some(Periodic { low: Vec3::ZERO, high: Vec3::new(1.0, 0.0, 1.0), axes }));
     assert_eq!(result, Err(SceneError::EmptyDomain { axis: Axis::Y, low: 0.0, high: 0.0 }));
     let result = scene(|s| {
         s.blocks[0].size[1] = 0.2;
-        s.periodic = Some(Periodic { low: [0.0; 3], high: [1.0, 0.2, 1.0], axes });
+        s.periodic = Some(Periodic { low: Vec3::ZERO, high: Vec3::new(1.0, 0.2, 1.0), axes });
     });
     assert_eq!(result, Err(SceneError::TooFewCells { axis: Axis::Y, cells: 2 }));
     let result = scene(|s| {
         (s.blocks[0].size[1], s.average_neighbours) = (0.5, 8.0);
-        s.periodic = Some(Periodic { low: [0.0; 3], high: [0.0, 0.4, 0.0], axes });
+        s.periodic = Some(Periodic { low: Vec3::ZERO, high: Vec3::new(0.0, 0.4, 0.0), axes });
     });
     let by = 0.5f32 - 0.4;
     assert_eq!(result, Err(SceneError::LapsItself { what: "blocks", index: 0, axis: Axis::Y, by }));
-    let plane = |face, high: [f32; 3]| Wall::still(WallShape::Plane { face, low: [0.0; 3], high });
+    let plane = |face, high: [f32; 3]| Wall::still(WallShape::Plane { face, low: Vec3::ZERO, high: high.into() });
     let result = scene(|s| s.walls = [plane(Face::Floor, [1.0, 0.5, 1.0])].into_iter().collect());
     assert_eq!(result, Err(SceneError::WallExtent { wall: 0, axis: Axis::Y, size: 0.5 }));
     let result = scene(|s| s.walls = [plane(Face::Floor, [1e30, 0.0, 1.0])].into_iter().collect());
     assert!(matches!(result, Err(SceneError::WallExtent { wall: 0, axis: Axis::X, .. })), "{result:?}");
-    let advancing = Wall { velocity: [1.0, -2.0, 0.0], ..plane(Face::Floor, [1.0, 0.0, 1.0]) };
+    let advancing = Wall { velocity: Vec3::new(1.0, -2.0, 0.0), ..plane(Face::Floor, [1.0, 0.0, 1.0]) };
     let result = scene(|s| s.walls = [advancing].into_iter().collect());
     assert_eq!(result, Err(SceneError::WallAdvances { wall: 0, axis: Axis::Y, velocity: -2.0 }));
     assert_eq!(scene(|s| s.walls = [plane(Face::Floor, [1.0, 0.0, 1.0])].into_iter().collect()), Ok(()));
@@ -61,7 +62,7 @@ fn numbers_out_of_bounds() {
 
 #[test]
 fn springs_that_do_not_fit() {
-    let block = Block { size: [0.2, 0.1, 0.0], ..Block::default() };
+    let block = Block { size: Vec3::new(0.2, 0.1, 0.0), ..Block::default() };
     let jelly = Fluid { elastic_stiffness: 10.0, ..Fluid::default() };
     let mut scene = Scene::of(Dimension::Two, 0.05, 0.001, jelly, block);
     let solver = |scene: &Scene| {

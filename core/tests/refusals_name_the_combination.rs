@@ -2,6 +2,7 @@
 //!
 //! The sentences stand here word for word: a host shows them to those who write scenes.
 use millpond_core::SceneError;
+use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     AdaptiveTimeStep, Air, DensityForm, EquationOfState, Evaluation, Face, Fluid, Formulation, GridStructure,
     Integrator, Iteration, Kernel, NearPressure, PressureForce, PressureSolver, Scene, SupportRange, SurfaceTension,
@@ -95,7 +96,7 @@ fn starts_and_surroundings_by_name() {
     );
     refused("model.initialize_hydrostatic does not go with no gravity: there is no weight to hold", |s| {
         s.model.initialize_hydrostatic = true;
-        s.gravity = [0.0; 3];
+        s.gravity = Vec3::ZERO;
     });
     assert_eq!(scene(air), Ok(()));
     refused(
@@ -124,14 +125,14 @@ fn starts_and_surroundings_by_name() {
     );
     refused("ambient_density does not go with no gravity: nothing would be buoyant", |s| {
         s.ambient_density = 1.2;
-        s.gravity = [0.0; 3];
+        s.gravity = Vec3::ZERO;
     });
     refused(
         "model.pressure_force Difference does not go with model.wall_pressure Mirrored: a mirrored \
          pressure makes no difference, so nothing would hold the fluid",
         |s| {
             s.model.pressure_force = PressureForce::Difference;
-            let shape = WallShape::Plane { face: Face::Floor, low: [0.0; 3], high: [1.0, 0.0, 1.0] };
+            let shape = WallShape::Plane { face: Face::Floor, low: Vec3::ZERO, high: Vec3::new(1.0, 0.0, 1.0) };
             s.walls = [Wall::still(shape)].into_iter().collect();
         },
     );
@@ -172,7 +173,7 @@ fn properties_of_fluids_by_name() {
         },
     );
     refused(
-        "other_fluids.stiffness does not go with an equation_of_state other than Tait: it is the constant of \
+        "fluids[1].stiffness does not go with an equation_of_state other than Tait: it is the constant of \
          that equation",
         |s| {
             let _ = s.fluids.push(Fluid {
@@ -372,7 +373,7 @@ fn what_the_half_stencil_cannot_do_by_name() {
         refused("a canonical or difference model.pressure_force", alike, &|s| s.model.pressure_force = force);
     }
     refused("walls of particles", alike, &|s| {
-        let shape = WallShape::Plane { face: Face::Floor, low: [0.0; 3], high: [1.0, 0.0, 1.0] };
+        let shape = WallShape::Plane { face: Face::Floor, low: Vec3::ZERO, high: Vec3::new(1.0, 0.0, 1.0) };
         s.walls = [Wall::still(shape)].into_iter().collect();
     });
     refused("model.initialize_hydrostatic and a model.surface_tension between pairs", alike, &|s| {

@@ -1,5 +1,6 @@
 //! Promise: who is at the surface of a fluid, and where it points can be asked for each particle, between like fluids and in
 //! nothing; how it is curved, between like fluids. A scene that does not ask finds none.
+use millpond_core::glam::Vec3;
 use millpond_core::scene::{Block, Dimension, Fluid, Formulation, InitialParticle, Kernel, Scene, SurfaceTension};
 use millpond_core::{Particle, Plan, Solver};
 
@@ -15,7 +16,7 @@ const SPACING: f32 = 0.01;
 fn disc(model: Formulation, in_a_like_fluid: bool) -> Vec<Particle> {
     let fluid = Fluid { surface_tension: if model.surface_normals { 0.0 } else { 1.0 }, ..Fluid::default() };
     let mut scene =
-        Scene::of(Dimension::Two, SPACING, 1e-4, fluid, Block { size: [1.0, 1.0, 0.0], ..Block::default() });
+        Scene::of(Dimension::Two, SPACING, 1e-4, fluid, Block { size: Vec3::new(1.0, 1.0, 0.0), ..Block::default() });
     let _ = scene.fluids.push(fluid);
     scene.average_neighbours = 50.0;
     scene.model = model;

@@ -2,6 +2,7 @@
 //! rounding of single precision; with thermal energy kept account of, the sum of all energies strays with the square of
 //! the time step; an even motion of everything changes nothing.
 use millpond_core::OwnedMemory;
+use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     Block, DensityForm, Dimension, Evaluation, Fluid, Formulation, Grid, Kernel, NearPressure, Periodic, PressureForce,
     Scene, SurfaceTension, Viscosity,
@@ -11,9 +12,10 @@ use millpond_core::{Serial, Solver};
 /// A jittered drop that collides with another, by itself in space.
 fn collision(model: Formulation) -> Scene {
     let fluid = Fluid { dynamic_viscosity: 3.0, speed_of_sound: 15.0, ..Fluid::default() };
-    let block = Block { size: [0.3, 0.4, 0.2], velocity: [1.0, 0.2, 0.0], jitter: 0.3, ..Block::default() };
+    let block =
+        Block { size: Vec3::new(0.3, 0.4, 0.2), velocity: Vec3::new(1.0, 0.2, 0.0), jitter: 0.3, ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, 0.05, 0.0005, fluid, block);
-    let other = Block { corner: [0.33, 0.1, 0.05], velocity: [-1.0, 0.0, 0.1], ..block };
+    let other = Block { corner: Vec3::new(0.33, 0.1, 0.05), velocity: Vec3::new(-1.0, 0.0, 0.1), ..block };
     let _ = scene.blocks.push(other);
     scene.model = model;
     scene.grid = Grid { cells: [8, 8, 8], ..Grid::default() };
@@ -145,7 +147,7 @@ fn energy_to_the_order_of_the_integrator() {
                 scene.model.negative_pressure = true;
                 scene.fluids[1].elastic_stiffness = 300.0;
             }
-            scene.gravity = [0.0, -9.81, 0.0];
+            scene.gravity = Vec3::new(0.0, -9.81, 0.0);
             scene.time_step = 0.0008 / f32::from(refinement);
             // a share a step: the same a second
             scene.model.velocity_exchange = 0.04 / f32::from(refinement);
@@ -175,11 +177,11 @@ fn energy_to_the_order_of_the_integrator() {
 #[test]
 fn an_even_motion_of_everything_is_no_motion() {
     // a full periodic box drifts by whole spacings; nothing may act
-    let block = Block { size: [0.4, 0.4, 0.0], velocity: [1.0, -0.5, 0.0], ..Block::default() };
+    let block = Block { size: Vec3::new(0.4, 0.4, 0.0), velocity: Vec3::new(1.0, -0.5, 0.0), ..Block::default() };
     let water = Fluid { dynamic_viscosity: 1.0, ..Fluid::default() };
     let mut scene = Scene::of(Dimension::Two, 0.025, 0.001, water, block);
     scene.average_neighbours = 20.0;
-    scene.periodic = Some(Periodic { low: [0.0; 3], high: [0.4, 0.4, 0.0], axes: [true, true, false] });
+    scene.periodic = Some(Periodic { low: Vec3::ZERO, high: Vec3::new(0.4, 0.4, 0.0), axes: [true, true, false] });
     for evaluation in [Evaluation::Direct, Evaluation::Table] {
         scene.model = Formulation { evaluation, xsph: 0.5, ..Formulation::modern() };
         let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));

@@ -1,6 +1,7 @@
 //! The same fluid on a device and on the CPU: the same bits.
 //!
 //! `cargo run --release -p millpond-gpu --example device`
+use millpond_core::glam::Vec3;
 use millpond_core::scene::{Block, Dimension, Fluid, Scene};
 use millpond_core::{Serial, Solver, Storage};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
@@ -14,7 +15,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     };
     let fluid = Fluid { dynamic_viscosity: 10.0, ..Fluid::default() };
-    let block = Block { size: [0.8; 3], jitter: 0.1, ..Block::default() };
+    let block = Block { size: Vec3::splat(0.8), jitter: 0.1, ..Block::default() };
     let scene = Scene { average_neighbours: 27.0, ..Scene::of(Dimension::Three, 0.05, 0.001, fluid, block) };
     let mut storage: Box<Storage<4096, 32768>> = Storage::boxed();
     let mut on_cpu = Solver::new(&scene, storage.lend())?;

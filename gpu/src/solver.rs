@@ -7,6 +7,7 @@ use crate::pass_times::PassClock;
 use crate::pipelines::{Dispatch, dispatches, record};
 use core::mem::offset_of;
 use millpond_core::arithmetic::real::{div, vec3};
+use millpond_core::glam::Vec3;
 use millpond_core::hash::state_hash;
 use millpond_core::layout::{Status, StepUniform, f32x4};
 use millpond_core::live::{Change, LiveScene};
@@ -228,8 +229,8 @@ impl GpuSolver {
     ///
     /// # Errors
     /// As there; also before the fluid's first step, when the CPU solver is the one to be told.
-    pub fn set_gravity(&mut self, gravity: [f32; 3]) -> Result<(), GpuError> {
-        self.change("set_gravity", Change::Gravity(gravity))
+    pub fn set_gravity(&mut self, gravity: impl Into<Vec3>) -> Result<(), GpuError> {
+        self.change("set_gravity", Change::Gravity(gravity.into()))
     }
 
     /// Another wind from now on, as [`Solver::set_wind`] takes it.

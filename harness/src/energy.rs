@@ -1,4 +1,5 @@
 //! The energy of a fluid as a whole, with what is stored in its compression, and the sound that this makes.
+use glam::Vec3;
 use millpond_core::derive::{FluidConstants, speed_of_sound};
 use millpond_core::hash::tree_sum;
 use millpond_core::scene::{EquationOfState, Fluid, PressureForce, Scene};
@@ -53,7 +54,7 @@ pub(crate) fn total(scene: &Checked<'_>, solver: &Solver<'_>) -> f64 {
 /// Energy that a scene at its start has to spend, J: its motion, the fall of its weight by its own height, and what near
 /// pressure may hold, which nobody counts. Where there is none of these, what would compress it as far as is allowed.
 pub(crate) fn scale(scene: &Checked<'_>, solver: &Solver<'_>) -> f64 {
-    let gravity = scene.gravity.map(f64::from);
+    let gravity = scene.gravity.to_array().map(f64::from);
     let heights = || {
         let fluid = solver.particles().filter(|particle| !particle.wall && !particle.inactive);
         fluid.map(|p| -> f64 { p.position.to_array().iter().zip(gravity).map(|(x, g)| -g * f64::from(*x)).sum() })
@@ -92,7 +93,7 @@ pub(crate) fn driven_by(scene: &Scene) -> Option<&'static str> {
     if scene.wind.is_some() {
         return Some("the wind");
     }
-    scene.walls.iter().any(|wall| wall.velocity != [0.0; 3]).then_some("a wall that slides")
+    scene.walls.iter().any(|wall| wall.velocity != Vec3::ZERO).then_some("a wall that slides")
 }
 
 #[cfg(test)]

@@ -193,13 +193,13 @@ fn colouring(file: &SceneFile, beads: &[DrawParticle]) -> Colouring {
 
 /// The box that a picture frames: the container, or a little more than the blocks at the start.
 fn bounds(scene: &Scene, state: &Snapshot) -> [Vec3; 2] {
-    let flat = |v: [f32; 3]| if scene.dimension == Dimension::Two { Vec3::new(v[0], v[1], 0.0) } else { Vec3::from(v) };
+    let flat = |v: Vec3| if scene.dimension == Dimension::Two { v.with_z(0.0) } else { v };
     if let Some(container) = &scene.container {
         return [flat(container.low), flat(container.high)];
     }
     let joined =
         |boxes: &mut dyn Iterator<Item = (Vec3, Vec3)>| boxes.reduce(|(low, high), (a, b)| (low.min(a), high.max(b)));
-    let mut blocks = scene.blocks.iter().map(|b| (Vec3::from(b.corner), Vec3::from(b.corner) + Vec3::from(b.size)));
+    let mut blocks = scene.blocks.iter().map(|b| (b.corner, b.corner + b.size));
     let (low, high) = joined(&mut blocks).unwrap_or_else(|| {
         let at = state.position().first().map_or(Vec3::ZERO, |x| Vec3::new(x[0], x[1], x[2]));
         (at - 1.0, at + 1.0)

@@ -1,6 +1,7 @@
 //! Scene files: RON text with unknown fields refused, a few of them built in, every field open to `--set`.
 use crate::failure::Failure;
 use crate::scene_text::{current, line_of};
+use glam::Vec3;
 use millpond_core::scene::{Container, Periodic, Scene, WallShape};
 use millpond_core::{Checked, Requirements, SceneError};
 use serde::{Deserialize, Serialize};
@@ -224,7 +225,7 @@ fn scale(scene: &mut Scene, now: usize, particles: u64) -> Result<(), Failure> {
         return Err(Failure::Call(format!("--particles {particles}: cannot scale a scene of {now} particles")));
     }
     let factor = (particles as f64 / now as f64).powf(1.0 / scene.dimension.count() as f64);
-    let grow = |lengths: &mut [f32; 3]| lengths.iter_mut().for_each(|x| *x = (f64::from(*x) * factor) as f32);
+    let grow = |lengths: &mut Vec3| *lengths = lengths.map(|x| (f64::from(x) * factor) as f32);
     for block in &mut scene.blocks {
         grow(&mut block.corner);
         grow(&mut block.size);

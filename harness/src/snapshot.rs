@@ -114,8 +114,8 @@ impl Snapshot {
         let vector = |[x, y, z, _]: f32x4| [x, y, z];
         let all = self.position().iter().zip(self.velocity()).zip(self.density_pressure());
         all.map(move |((x, v), d)| InitialParticle {
-            position: vector(*x),
-            velocity: vector(*v),
+            position: vector(*x).into(),
+            velocity: vector(*v).into(),
             material: v[3] as u32,
             mass: x[3],
             deviation: d[0],

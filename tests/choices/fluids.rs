@@ -1,6 +1,7 @@
 //! Several fluids in a scene, air, springs, and properties of a fluid.
 use super::Add;
 use super::scenes::{pulled, second_fluid, walls};
+use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     Air, DensityForm, Elasticity, EquationOfState, Evaluation, Formulation, NearPressure, Periodic, Plasticity,
     PressureForce, PressureSolver, SurfaceTension, Viscosity,
@@ -75,7 +76,7 @@ pub fn fluids(add: Add<'_>) {
             s.fluids[1].elastic_stiffness = 500.0;
             s.elasticity = Elasticity { reach: 1.8, plasticity, break_at, ..Elasticity::default() };
             s.container = None;
-            s.periodic = Some(Periodic { low: [0.0; 3], high: [0.8, 0.6, 0.6], axes: [true, false, false] });
+            s.periodic = Some(Periodic { low: Vec3::ZERO, high: Vec3::new(0.8, 0.6, 0.6), axes: [true, false, false] });
             s.blocks[1].corner[0] = 0.6;
         });
     }

@@ -1,16 +1,18 @@
 //! What choices are made against, and what several of them need to act on.
+use millpond_core::glam::Vec3;
 use millpond_core::scene::{Block, Container, Dimension, Face, Fluid, Grid, Scene, SurfaceTension, Wall, WallShape};
 
 /// A scene that has something of everything to act on: two blocks that collide over a floor, with gravity.
 pub fn base(dimension: Dimension) -> Scene {
     let fluid = Fluid { dynamic_viscosity: 2.0, ..Fluid::default() };
     let depth = if dimension == Dimension::Three { 0.2 } else { 0.0 };
-    let block = Block { corner: [0.1, 0.05, 0.1], size: [0.3, 0.4, depth], jitter: 0.3, ..Block::default() };
+    let block =
+        Block { corner: Vec3::new(0.1, 0.05, 0.1), size: Vec3::new(0.3, 0.4, depth), jitter: 0.3, ..Block::default() };
     let mut scene = Scene::of(dimension, 0.05, 0.001, fluid, block);
-    let velocity = [-1.0, 0.5, 0.0];
-    let other = Block { corner: [0.42, 0.05, 0.1], size: [0.2, 0.3, depth], velocity, ..block };
+    let velocity = Vec3::new(-1.0, 0.5, 0.0);
+    let other = Block { corner: Vec3::new(0.42, 0.05, 0.1), size: Vec3::new(0.2, 0.3, depth), velocity, ..block };
     let _ = scene.blocks.push(other);
-    scene.gravity = [1.0, -9.81, 0.0];
+    scene.gravity = Vec3::new(1.0, -9.81, 0.0);
     scene.average_neighbours = if dimension == Dimension::Three { 30.0 } else { 18.0 };
     scene.grid = Grid { cells: [8, 8, 4], ..Grid::default() };
     scene.container = Some(Container { slip: 0.5, restitution: 0.3, ..Container::closed([0.0; 3], [0.8, 0.8, 0.4]) });
@@ -19,7 +21,7 @@ pub fn base(dimension: Dimension) -> Scene {
 
 /// Lets the first block meet the floor and the left wall at once.
 pub fn falls(s: &mut Scene) {
-    (s.blocks[0].corner, s.blocks[0].velocity) = ([0.0, 0.0, 0.1], [-5.0, -5.0, 0.0]);
+    (s.blocks[0].corner, s.blocks[0].velocity) = (Vec3::new(0.0, 0.0, 0.1), Vec3::new(-5.0, -5.0, 0.0));
 }
 
 /// Makes the second block one of another fluid, lighter and stiffer.
@@ -42,7 +44,7 @@ pub fn pulled(s: &mut Scene) {
 /// A box open above, whose floor slides.
 pub fn walls(s: &mut Scene) {
     let (low, high) = ([0.0; 3], [0.8, 0.6, 0.4]);
-    let shape = WallShape::Box { low, high, open: [Face::Ceiling].into_iter().collect() };
-    let velocity = [0.5, 0.0, 0.0];
+    let shape = WallShape::Box { low: low.into(), high: high.into(), open: [Face::Ceiling].into_iter().collect() };
+    let velocity = Vec3::new(0.5, 0.0, 0.0);
     s.walls = [Wall { velocity, dynamic_viscosity: Some(1.0), ..Wall::still(shape) }].into_iter().collect();
 }

@@ -1,6 +1,7 @@
 //! Integrators, and time steps that change.
 use super::Add;
 use super::scenes::{pulled, second_fluid, walls};
+use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     AdaptiveTimeStep, Air, DensityForm, Formulation, Integrator, Periodic, Plasticity, PressureForce, PressureSolver,
     SupportRange, SurfaceTension, Viscosity,
@@ -14,7 +15,7 @@ pub fn time(add: Add<'_>) {
             s.model.density = DensityForm::Continuity;
             s.model.xsph = 0.3;
             s.container = None;
-            s.periodic = Some(Periodic { low: [0.0; 3], high: [0.8, 0.6, 0.6], axes: [true, false, false] });
+            s.periodic = Some(Periodic { low: Vec3::ZERO, high: Vec3::new(0.8, 0.6, 0.6), axes: [true, false, false] });
             walls(s);
         });
         if again(integrator) {

@@ -6,7 +6,7 @@ use crate::scene::{Block, EquationOfState, PressureForce, Scene};
 /// errata): `rho = rho0 (1 + rho0 g depth / B)^(1/7)` with Tait's equation. Fluids lie in layers, each from the highest to the
 /// lowest point of its blocks. `own` are the constants of the fluid of this number.
 pub(super) fn hydrostatic_deviation(scene: &Scene, fluid: u32, own: &FluidConstants, position: [f32; 3]) -> (f64, f32) {
-    let g = scene.gravity.map(f64::from);
+    let g = scene.gravity.to_array().map(f64::from);
     // g . x grows downwards
     let along = |x: [f64; 3]| -> f64 { g.iter().zip(x).map(|(g, x)| g * x).sum() };
     let corner = |b: &Block, highest: bool| {

@@ -6,6 +6,7 @@ use super::material::{FIRST_BLOCK, INACTIVE};
 use super::sampling::lattice::{counts, indices};
 use super::sampling::walls::wall_particles;
 use crate::scene::{Dimension, InitialParticle, Scene};
+use glam::Vec3;
 
 /// Every particle of a scene and of what was derived of it, in order of its id: the fluid, then the walls, then air that is not
 /// there yet.
@@ -41,7 +42,7 @@ pub(crate) fn initial_particles(scene: &Scene, derived: &Derived) -> impl Iterat
 
 /// Air that is not there: it takes no part in anything, so it may lie anywhere.
 fn air(scene: &Scene) -> impl Iterator<Item = InitialParticle> {
-    let mut corner = scene.blocks.first().map_or([0.0; 3], |block| block.corner);
+    let mut corner = scene.blocks.first().map_or(Vec3::ZERO, |block| block.corner);
     if scene.dimension == Dimension::Two {
         corner[2] = 0.0;
     }

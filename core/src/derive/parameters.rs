@@ -117,7 +117,7 @@ pub(super) fn parameters(
 
 /// The numbers of the first step, as a scene asks for it.
 pub(super) fn step_uniform(scene: &Scene) -> StepUniform {
-    let [gx, gy, gz] = scene.gravity;
+    let [gx, gy, gz] = scene.gravity.to_array();
     let wind = scene.wind.map_or([0.0; 4], |w| [w.velocity[0], w.velocity[1], w.velocity[2], w.drag]);
     StepUniform { gravity: [gx, gy, gz, 0.0], wind, ..Zeroable::zeroed() }.with_time_step(scene.time_step)
 }

@@ -12,11 +12,12 @@ struct Line([u8; 64]);
 /// As much memory as a scene needs, on the heap.
 ///
 /// ```
+/// use millpond_core::glam::Vec3;
 /// use millpond_core::scene::{Block, Dimension, Fluid, Scene};
 /// use millpond_core::{OwnedMemory, Solver};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-/// let block = Block { size: [0.5; 3], ..Block::default() };
+/// let block = Block { size: Vec3::splat(0.5), ..Block::default() };
 /// let scene = Scene::of(Dimension::Three, 0.05, 0.001, Fluid::default(), block);
 /// let mut memory = OwnedMemory::of(&scene.check()?);
 /// let solver = Solver::new(&scene, memory.lend())?;

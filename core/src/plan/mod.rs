@@ -19,6 +19,7 @@ use crate::scene::{
 };
 use crate::terms::{near, tension, viscosity, wall};
 use crate::validate::Checked;
+use glam::Vec3;
 use passes::Pass;
 use schedule::{Schedule, schedule};
 
@@ -58,7 +59,7 @@ impl Plan {
                 near_pressure: if near { everything.model.near_pressure } else { near::NEAR_OFF },
                 viscosity: if drags { everything.model.viscosity } else { viscosity::NO_VISCOSITY },
                 has_velocity_exchange: u32::from(shears || choice.radial_exchange != 0.0),
-                has_gravity: u32::from(scene.gravity != [0.0; 3] || live(Adjustable::Gravity)),
+                has_gravity: u32::from(scene.gravity != Vec3::ZERO || live(Adjustable::Gravity)),
                 has_buoyancy: u32::from(scene.ambient_density != 0.0),
                 has_wind: u32::from(scene.wind.is_some_and(|w| w.drag != 0.0) || live(Adjustable::Wind)),
                 has_container: u32::from(scene.container.is_some()),

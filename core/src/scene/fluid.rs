@@ -1,5 +1,6 @@
 //! What flows, and where it is at the start.
 use super::choice::EquationOfState;
+use glam::Vec3;
 
 /// Fluids that a scene can have.
 pub const FLUIDS: usize = 8;
@@ -72,12 +73,12 @@ pub struct Block {
     #[cfg_attr(feature = "serde", serde(default))]
     pub fluid: u32,
     /// Lowest corner, m.
-    pub corner: [f32; 3],
+    pub corner: Vec3,
     /// Extent, m; rounded to whole spacings. In 2D the extent along z is ignored.
-    pub size: [f32; 3],
+    pub size: Vec3,
     /// Velocity at the start, m/s (default at rest).
     #[cfg_attr(feature = "serde", serde(default))]
-    pub velocity: [f32; 3],
+    pub velocity: Vec3,
     /// Random displacement at the start, in spacings (default 0; the seed is fixed, so it is always the same one).
     #[cfg_attr(feature = "serde", serde(default))]
     pub jitter: f32,

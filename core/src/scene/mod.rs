@@ -28,6 +28,7 @@ pub use surroundings::{AccelerationField, Container, Grid, Periodic, WALLS, Wall
 pub use time::AdaptiveTimeStep;
 
 use crate::error::SceneError;
+use glam::Vec3;
 use heapless::Vec;
 
 /// Blocks of fluid that a scene can have.
@@ -59,7 +60,7 @@ pub struct Scene {
     pub stiffness_for_time_step: Option<f32>,
     /// Acceleration that acts everywhere, m/s2 (default none).
     #[cfg_attr(feature = "serde", serde(default))]
-    pub gravity: [f32; 3],
+    pub gravity: Vec3,
     /// Density of what surrounds the fluid, kg/m3 (default 0): gravity then acts on the difference only (Gourlay's body force).
     #[cfg_attr(feature = "serde", serde(default))]
     pub ambient_density: f32,
@@ -124,7 +125,7 @@ impl Scene {
             time_step,
             adaptive: None,
             stiffness_for_time_step: None,
-            gravity: [0.0; 3],
+            gravity: Vec3::ZERO,
             ambient_density: 0.0,
             wind: None,
             acceleration_field: None,

@@ -1,5 +1,6 @@
 //! What holds a fluid and drives it from outside, and the cells that cover it.
 use super::choice::{FACES, Face, GridStructure, Reflection, Traversal};
+use glam::Vec3;
 use heapless::Vec;
 
 /// Walls of particles that a scene can have.
@@ -10,9 +11,9 @@ pub const WALLS: usize = 8;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Container {
     /// Lowest corner, m.
-    pub low: [f32; 3],
+    pub low: Vec3,
     /// Highest corner, m.
-    pub high: [f32; 3],
+    pub high: Vec3,
     /// Share of the normal velocity that a wall gives back, 0 to 1 (default 0).
     #[cfg_attr(feature = "serde", serde(default, alias = "bounce"))]
     pub restitution: f32,
@@ -35,7 +36,8 @@ fn default_slip() -> f32 {
 impl Container {
     /// A closed box that gives back nothing and lets everything slide.
     #[must_use]
-    pub fn closed(low: [f32; 3], high: [f32; 3]) -> Container {
+    pub fn closed(low: impl Into<Vec3>, high: impl Into<Vec3>) -> Container {
+        let (low, high) = (low.into(), high.into());
         Container { low, high, restitution: 0.0, slip: 1.0, reflection: Reflection::default(), open: Vec::new() }
     }
 }
@@ -50,7 +52,7 @@ pub struct Wall {
     /// Velocity with which its surface slides past, m/s (default still). The particles themselves stay, as those of a
     /// conveyor belt would be replaced by others.
     #[cfg_attr(feature = "serde", serde(default))]
-    pub velocity: [f32; 3],
+    pub velocity: Vec3,
     /// Which fluid it is like where it is quasi-fluid: its particles have that one's density (default 0, the first).
     #[cfg_attr(feature = "serde", serde(default))]
     pub fluid: u32,
@@ -63,7 +65,7 @@ impl Wall {
     /// One that stands still, of the first fluid's viscosity: no slip.
     #[must_use]
     pub fn still(shape: WallShape) -> Wall {
-        Wall { shape, velocity: [0.0; 3], fluid: 0, dynamic_viscosity: None }
+        Wall { shape, velocity: Vec3::ZERO, fluid: 0, dynamic_viscosity: None }
     }
 }
 
@@ -76,16 +78,16 @@ pub enum WallShape {
         /// What it is to the fluid: a floor has the fluid above it, a ceiling below.
         face: Face,
         /// Lowest corner, m.
-        low: [f32; 3],
+        low: Vec3,
         /// Highest corner, m; along the face's axis the same as `low`.
-        high: [f32; 3],
+        high: Vec3,
     },
     /// A hollow box; its layers lie outside.
     Box {
         /// Lowest corner of the inside, m.
-        low: [f32; 3],
+        low: Vec3,
         /// Highest corner of the inside, m.
-        high: [f32; 3],
+        high: Vec3,
         /// Faces that are not there (default none missing).
         #[cfg_attr(feature = "serde", serde(default))]
         open: Vec<Face, FACES>,
@@ -97,9 +99,9 @@ pub enum WallShape {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Periodic {
     /// Lowest corner, m.
-    pub low: [f32; 3],
+    pub low: Vec3,
     /// Highest corner, m.
-    pub high: [f32; 3],
+    pub high: Vec3,
     /// Along x, y, z?
     pub axes: [bool; 3],
 }
@@ -109,7 +111,7 @@ pub struct Periodic {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Wind {
     /// Velocity of the air, m/s.
-    pub velocity: [f32; 3],
+    pub velocity: Vec3,
     /// Share of the difference in velocity that is lost in a second, 1/s.
     pub drag: f32,
 }
@@ -121,7 +123,7 @@ pub struct Wind {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct AccelerationField {
     /// Place of the first node, m.
-    pub low: [f32; 3],
+    pub low: Vec3,
     /// Distance between nodes, m.
     pub spacing: f32,
     /// Nodes along x, y, z, at least 2 each; in 2D the one along z is ignored.

@@ -52,13 +52,14 @@ impl Integrator {
 /// their own: `largest` is to keep their step.
 ///
 /// ```
+/// use millpond_core::glam::Vec3;
 /// use millpond_core::scene::{AdaptiveTimeStep, Block, Dimension, Fluid, Grid, Scene};
 /// use millpond_core::{Serial, Solver, Storage};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-/// let block = Block { size: [0.5; 3], ..Block::default() };
+/// let block = Block { size: Vec3::splat(0.5), ..Block::default() };
 /// let mut scene = Scene::of(Dimension::Three, 0.05, 1e-4, Fluid::default(), block);
-/// scene.gravity = [0.0, -9.81, 0.0];
+/// scene.gravity = Vec3::new(0.0, -9.81, 0.0);
 /// scene.grid = Grid { cells: [8, 8, 8], ..Grid::default() };
 /// scene.adaptive = Some(AdaptiveTimeStep { reject_ratio: Some(1.5), ..AdaptiveTimeStep::default() });
 /// let mut storage: Box<Storage<1000, 512>> = Storage::boxed();

@@ -8,6 +8,7 @@ use crate::scene::{
     Adjustable, Air, Correction, DensityForm, Elasticity, EquationOfState, Evaluation, Fluid, GridStructure, Iteration,
     Kernel, NearPressure, PressureForce, Scene, SurfaceTension, Viscosity, WallPressure,
 };
+use glam::Vec3;
 
 /// Spacings that sound may travel in a step of the literal pressure correction: beyond, its iteration grows (errata of Pirovano
 /// section 3.2.2).
@@ -38,7 +39,7 @@ pub(super) fn check(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
             "its pairs do not act on each other alike, so their work is nobody's",
         ));
     }
-    if scene.ambient_density > 0.0 && scene.gravity == [0.0; 3] {
+    if scene.ambient_density > 0.0 && scene.gravity == Vec3::ZERO {
         return Err(not_together("ambient_density", "no gravity", "nothing would be buoyant"));
     }
     let gas = |fluid: &Fluid| scene.equation_of(fluid) == EquationOfState::IdealGas;
@@ -56,7 +57,7 @@ pub(super) fn check(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
             "its surface would be at the other end",
         ));
     }
-    if model.initialize_hydrostatic && scene.gravity == [0.0; 3] {
+    if model.initialize_hydrostatic && scene.gravity == Vec3::ZERO {
         return Err(not_together("model.initialize_hydrostatic", "no gravity", "there is no weight to hold"));
     }
     Ok(())

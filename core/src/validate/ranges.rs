@@ -17,7 +17,7 @@ pub(super) fn numbers(scene: &Scene) -> Result<(), SceneError> {
     neighbours("average_neighbours", scene.average_neighbours)?;
     positive("time_step", scene.time_step)?;
     step_lengths(scene)?;
-    finite("gravity", &scene.gravity)?;
+    finite("gravity", scene.gravity.as_ref())?;
     surroundings(scene)?;
     if scene.fluids.is_empty() {
         return Err(SceneError::NoFluid);
@@ -39,11 +39,11 @@ pub(super) fn reach(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
 fn surroundings(scene: &Scene) -> Result<(), SceneError> {
     not_negative("ambient_density", scene.ambient_density)?;
     if let Some(wind) = &scene.wind {
-        finite("wind.velocity", &wind.velocity)?;
+        finite("wind.velocity", wind.velocity.as_ref())?;
         not_negative("wind.drag", wind.drag)?;
     }
     if let Some(field) = &scene.acceleration_field {
-        finite("acceleration_field.low", &field.low)?;
+        finite("acceleration_field.low", field.low.as_ref())?;
         positive("acceleration_field.spacing", field.spacing)?;
         finite("acceleration_field.spacing", &[1.0 / field.spacing])?;
         for (axis, &points) in field.counts.iter().enumerate().take(scene.dimension.count()) {

@@ -12,8 +12,8 @@ pub const MOST_SPACINGS_AWAY: f32 = 65_536.0;
 
 pub(super) fn blocks(scene: &Scene, count: &Counts) -> Result<(), SceneError> {
     for (block, b) in scene.blocks.iter().enumerate() {
-        finite("blocks.corner", &b.corner)?;
-        finite("blocks.velocity", &b.velocity)?;
+        finite("blocks.corner", b.corner.as_ref())?;
+        finite("blocks.velocity", b.velocity.as_ref())?;
         not_negative("blocks.jitter", b.jitter)?;
         not_negative("blocks.dynamic_viscosity", b.dynamic_viscosity.unwrap_or(0.0))?;
         known_fluid(scene, "blocks.fluid", b.fluid)?;
@@ -21,7 +21,7 @@ pub(super) fn blocks(scene: &Scene, count: &Counts) -> Result<(), SceneError> {
             distance(scene, "blocks.corner", b.corner[axis])?;
         }
         let counts = counts(b, scene);
-        for (axis, (&size, count)) in b.size.iter().zip(counts).enumerate().take(scene.dimension.count()) {
+        for (axis, (&size, count)) in b.size.as_ref().iter().zip(counts).enumerate().take(scene.dimension.count()) {
             positive("blocks.size", size)?;
             if count == 0 {
                 return Err(SceneError::EmptyBlock { block, axis: Axis::of(axis), size });
@@ -39,8 +39,8 @@ fn distance(scene: &Scene, field: &'static str, value: f32) -> Result<(), SceneE
 
 pub(super) fn container(scene: &Scene) -> Result<(), SceneError> {
     let Some(container) = &scene.container else { return Ok(()) };
-    finite("container.low", &container.low)?;
-    finite("container.high", &container.high)?;
+    finite("container.low", container.low.as_ref())?;
+    finite("container.high", container.high.as_ref())?;
     for axis in 0..scene.dimension.count() {
         let (low, high) = (container.low[axis], container.high[axis]);
         if low >= high {
@@ -73,8 +73,8 @@ fn blocks_inside(scene: &Scene, container: &Container) -> Result<(), SceneError>
 
 pub(super) fn periodic(scene: &Scene) -> Result<(), SceneError> {
     let Some(periodic) = &scene.periodic else { return Ok(()) };
-    finite("periodic.low", &periodic.low)?;
-    finite("periodic.high", &periodic.high)?;
+    finite("periodic.low", periodic.low.as_ref())?;
+    finite("periodic.high", periodic.high.as_ref())?;
     for axis in scene.periodic_axes() {
         let (low, high) = (periodic.low[axis], periodic.high[axis]);
         if low >= high {
@@ -118,14 +118,14 @@ pub(super) fn grid(scene: &Scene, cells: [u32; 3]) -> Result<(), SceneError> {
 
 pub(super) fn walls(scene: &Scene, count: &Counts) -> Result<(), SceneError> {
     for (wall, w) in scene.walls.iter().enumerate() {
-        finite("walls.velocity", &w.velocity)?;
+        finite("walls.velocity", w.velocity.as_ref())?;
         known_fluid(scene, "walls.fluid", w.fluid)?;
         not_negative("walls.dynamic_viscosity", w.dynamic_viscosity.unwrap_or(0.0))?;
         let (low, high) = match &w.shape {
             WallShape::Plane { low, high, .. } | WallShape::Box { low, high, .. } => (low, high),
         };
-        finite("walls.low", low)?;
-        finite("walls.high", high)?;
+        finite("walls.low", low.as_ref())?;
+        finite("walls.high", high.as_ref())?;
         let across = match &w.shape {
             WallShape::Plane { face, .. } => Some(face.axis()),
             WallShape::Box { .. } => None,

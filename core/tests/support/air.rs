@@ -1,4 +1,5 @@
 //! Drops with a coat of air; for CPU and device alike.
+use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     Air, Block, Container, Dimension, Face, Fluid, Formulation, Grid, Periodic, PressureSolver, Scene, SupportRange,
     SurfaceTension, Wall, WallShape,
@@ -11,7 +12,12 @@ pub const SPACING: f32 = 0.05;
 pub fn drop(dimension: Dimension, capacity: u32) -> Scene {
     let water = Fluid { dynamic_viscosity: 1.0, ..Fluid::default() };
     let air = Fluid { rest_density: 100.0, speed_of_sound: 31.0, dynamic_viscosity: 0.1, ..Fluid::default() };
-    let block = Block { corner: [0.3; 3], size: [0.3; 3], velocity: [1.0, 0.5, 0.0], ..Block::default() };
+    let block = Block {
+        corner: Vec3::splat(0.3),
+        size: Vec3::splat(0.3),
+        velocity: Vec3::new(1.0, 0.5, 0.0),
+        ..Block::default()
+    };
     let mut scene = Scene::of(dimension, SPACING, 0.0002, water, block);
     let _ = scene.fluids.push(air);
     scene.model = Formulation::multiphase();
@@ -48,23 +54,24 @@ pub fn scenes(base: &Scene) -> Vec<(&'static str, Scene)> {
         (
             "a floor of planes",
             changed(&|s| {
-                s.gravity = [0.0, -9.81, 0.0];
+                s.gravity = Vec3::new(0.0, -9.81, 0.0);
                 s.container = Some(Container::closed([0.28, 0.29, 0.28], [0.9, 0.9, 0.9]));
             }),
         ),
         (
             "a tank of particles",
             changed(&|s| {
-                s.gravity = [0.0, -9.81, 0.0];
+                s.gravity = Vec3::new(0.0, -9.81, 0.0);
                 let open = [Face::Ceiling].into_iter().collect();
-                let shape = WallShape::Box { low: [0.3; 3], high: [0.7; 3], open };
+                let shape = WallShape::Box { low: Vec3::splat(0.3), high: Vec3::splat(0.7), open };
                 s.walls = [Wall::still(shape)].into_iter().collect();
             }),
         ),
         (
             "a domain that wraps around",
             changed(&|s| {
-                s.periodic = Some(Periodic { low: [0.28; 3], high: [0.88; 3], axes: [true, true, false] });
+                s.periodic =
+                    Some(Periodic { low: Vec3::splat(0.28), high: Vec3::splat(0.88), axes: [true, true, false] });
             }),
         ),
         (

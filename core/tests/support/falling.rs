@@ -1,13 +1,18 @@
 //! A block that falls, whose time step follows it; for CPU and device alike.
+use millpond_core::glam::Vec3;
 use millpond_core::scene::{AdaptiveTimeStep, Block, Container, Dimension, Fluid, Formulation, Grid, Scene};
 
 /// A block that falls onto a floor: slow, then fast, then hard.
 pub fn falling() -> Scene {
     let fluid = Fluid { speed_of_sound: 20.0, dynamic_viscosity: 2.0, ..Fluid::default() };
-    let block =
-        Block { corner: [0.2, 0.02, 0.0], size: [0.3, 0.3, 0.0], velocity: [0.0, -2.0, 0.0], ..Block::default() };
+    let block = Block {
+        corner: Vec3::new(0.2, 0.02, 0.0),
+        size: Vec3::new(0.3, 0.3, 0.0),
+        velocity: Vec3::new(0.0, -2.0, 0.0),
+        ..Block::default()
+    };
     let mut scene = Scene::of(Dimension::Two, 0.025, 1e-3, fluid, block);
-    scene.gravity = [0.0, -9.81, 0.0];
+    scene.gravity = Vec3::new(0.0, -9.81, 0.0);
     scene.container = Some(Container::closed([0.0; 3], [0.7, 0.7, 0.0]));
     scene.grid = Grid { cells: [12, 12, 1], ..Grid::default() };
     scene.model = Formulation::modern();

@@ -1,12 +1,13 @@
 //! A scene that is changed and checked.
 use millpond_core::SceneError;
+use millpond_core::glam::Vec3;
 use millpond_core::scene::{Block, Dimension, Fluid, Scene};
 
 /// Whether a scene of one block, changed like this, is accepted.
 pub(crate) fn judged(change: impl FnOnce(&mut Scene)) -> Result<(), SceneError> {
-    let block = Block { size: [0.4, 0.4, 0.4], ..Block::default() };
+    let block = Block { size: Vec3::new(0.4, 0.4, 0.4), ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, Fluid::default(), block);
-    scene.gravity = [0.0, -9.81, 0.0];
+    scene.gravity = Vec3::new(0.0, -9.81, 0.0);
     change(&mut scene);
     scene.check().map(|_| ())
 }

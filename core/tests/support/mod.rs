@@ -1,6 +1,7 @@
 //! What tests of a fluid share, and need nothing but core for: small scenes, threads, random numbers. The tests of `gpu/tests`
 //! and `tests` read this text too.
 #![allow(dead_code, unreachable_pub, reason = "each test uses its part")]
+use millpond_core::glam::Vec3;
 use millpond_core::plan::arrays::{Class, Unit};
 use millpond_core::scene::{
     Block, Container, Dimension, Fluid, Formulation, Grid, InitialParticle, Kernel, NearPressure, PressureForce, Scene,
@@ -15,7 +16,7 @@ pub mod refused;
 /// The cube of the thesis (Pirovano, section 5.2), of `edge` m and 8000 particles a cubic metre: nothing but each other.
 pub fn thesis_cube(edge: f32) -> Scene {
     let fluid = Fluid { dynamic_viscosity: 10.0, ..Fluid::default() };
-    let block = Block { corner: [-edge / 2.0; 3], size: [edge; 3], ..Block::default() };
+    let block = Block { corner: Vec3::splat(-edge / 2.0), size: Vec3::splat(edge), ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, fluid, block);
     scene.average_neighbours = 27.0;
     scene.grid = Grid { cells: [32, 32, 32], ..Grid::default() };
@@ -37,10 +38,10 @@ fn of_a_dam() -> Formulation {
 /// A column of water that falls into a box, both `scale` times as long as of 21 000 particles.
 pub fn dam_break(scale: f32) -> Scene {
     let fluid = Fluid { speed_of_sound: 20.0, dynamic_viscosity: 5.0, ..Fluid::default() };
-    let block = Block { size: [1.2, 1.4, 0.8].map(|x| x * scale), jitter: 0.02, ..Block::default() };
+    let block = Block { size: Vec3::new(1.2, 1.4, 0.8).map(|x| x * scale), jitter: 0.02, ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, 0.04, 0.001, fluid, block);
     scene.average_neighbours = 32.0;
-    scene.gravity = [0.0, -9.81, 0.0];
+    scene.gravity = Vec3::new(0.0, -9.81, 0.0);
     scene.container = Some(Container::closed([0.0; 3], [3.2, 2.4, 0.8].map(|x| x * scale)));
     scene.model = of_a_dam();
     scene.grid = Grid { cells: [48, 32, 16].map(|n: u16| (f32::from(n) * scale).ceil() as u32), ..Grid::default() };
@@ -50,10 +51,10 @@ pub fn dam_break(scale: f32) -> Scene {
 /// The same in the plane, `scale` times as long as of 3200 particles.
 pub fn dam_break_2d(scale: f32) -> Scene {
     let fluid = Fluid { speed_of_sound: 25.0, dynamic_viscosity: 5.0, ..Fluid::default() };
-    let block = Block { size: [scale, 2.0 * scale, 0.0], jitter: 0.02, ..Block::default() };
+    let block = Block { size: Vec3::new(scale, 2.0 * scale, 0.0), jitter: 0.02, ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, 0.025, 0.0005, fluid, block);
     scene.average_neighbours = 21.0;
-    scene.gravity = [0.0, -9.81, 0.0];
+    scene.gravity = Vec3::new(0.0, -9.81, 0.0);
     scene.container = Some(Container::closed([0.0; 3], [4.0 * scale, 3.0 * scale, 0.0]));
     scene.model = of_a_dam();
     let [x, y] = [64.0, 48.0].map(|n: f32| (n * scale).ceil() as u32);
@@ -160,7 +161,7 @@ pub fn with_a_crowd(scene: &Scene, mut places: Vec<InitialParticle>, count: usiz
         let offset = offset(i);
         let along = |axis: usize| if axis < scene.dimension.count() { offset[axis] } else { 0.0 };
         let position = core::array::from_fn(|axis| first.position[axis] + along(axis));
-        InitialParticle { position, ..first }
+        InitialParticle { position: position.into(), ..first }
     }));
     places
 }

@@ -11,6 +11,7 @@ use super::recipes::SEVERAL_FLUIDS;
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
+use glam::Vec3;
 use millpond_core::OwnedMemory;
 use millpond_core::scene::{Air, Block, DensityForm, Dimension, Fluid, Formulation, PressureForce, Scene};
 use millpond_core::{AirReport, Particle, Solver};
@@ -142,7 +143,7 @@ fn line((density, coat): (DensityForm, Option<Coat>), drop: Result<&Drop, &Failu
 fn scene((density, coat): (DensityForm, Option<Coat>)) -> Scene {
     let edge = f32::from(EDGE) * SPACING;
     let water = Fluid { rest_density: WATER, speed_of_sound: SOUND, dynamic_viscosity: VISCOSITY, ..Fluid::default() };
-    let block = Block { corner: [-edge / 2.0, -edge / 2.0, 0.0], size: [edge; 3], ..Block::default() };
+    let block = Block { corner: Vec3::new(-edge / 2.0, -edge / 2.0, 0.0), size: Vec3::splat(edge), ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, SPACING, TIME_STEP, water, block);
     scene.model = Formulation { density, ..SEVERAL_FLUIDS };
     if density == DensityForm::Summation {

@@ -9,6 +9,7 @@ use super::reference::{couette as couette_series, numbers, poiseuille as poiseui
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
+use glam::Vec3;
 use millpond_core::OwnedMemory;
 use millpond_core::Solver;
 use millpond_core::derive::support_radius;
@@ -105,15 +106,15 @@ fn scene(drive: &Drive, across: u16) -> Scene {
         dynamic_viscosity: VISCOSITY,
         ..Fluid::default()
     };
-    let block = Block { size: [length, 1.0, 0.0], ..Block::default() };
+    let block = Block { size: Vec3::new(length, 1.0, 0.0), ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, spacing, 1.0, fluid, block);
     scene.average_neighbours = AVERAGE_NEIGHBOURS;
     let h = support_radius(&scene) / 2.0;
     scene.time_step = (DIFFUSION * h * h * f64::from(REST_DENSITY / VISCOSITY)) as f32;
-    scene.gravity = [drive.force, 0.0, 0.0];
-    scene.periodic = Some(Periodic { low: [0.0; 3], high: [length, 1.0, 0.0], axes: [true, false, false] });
-    let plane = |face, y| WallShape::Plane { face, low: [0.0, y, 0.0], high: [length, y, 0.0] };
-    let wall = |face, y, speed| Wall { velocity: [speed, 0.0, 0.0], ..Wall::still(plane(face, y)) };
+    scene.gravity = Vec3::new(drive.force, 0.0, 0.0);
+    scene.periodic = Some(Periodic { low: Vec3::ZERO, high: Vec3::new(length, 1.0, 0.0), axes: [true, false, false] });
+    let plane = |face, y| WallShape::Plane { face, low: Vec3::new(0.0, y, 0.0), high: Vec3::new(length, y, 0.0) };
+    let wall = |face, y, speed| Wall { velocity: Vec3::new(speed, 0.0, 0.0), ..Wall::still(plane(face, y)) };
     scene.walls = [wall(Face::Floor, 0.0, 0.0), wall(Face::Ceiling, 1.0, drive.lid)].into_iter().collect();
     scene.model = Formulation {
         density_kernel: Kernel::CubicSpline,

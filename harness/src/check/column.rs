@@ -1,6 +1,7 @@
 //! Water at rest in a tank of wall particles in the plane, open at the top: what three studies look at.
 use super::flow::{fluid, grid, mean};
 use super::recipes::WENDLAND;
+use glam::Vec3;
 use millpond_core::Solver;
 use millpond_core::derive::support_radius;
 use millpond_core::scene::{Block, Dimension, Face, Fluid, Formulation, Kernel, Scene, Wall, WallShape};
@@ -64,9 +65,9 @@ impl Column {
     /// surface.
     pub(super) fn scene(&self) -> Scene {
         let fluid = Fluid { rest_density: REST_DENSITY, speed_of_sound: self.speed_of_sound, ..Fluid::default() };
-        let block = Block { size: [self.width, self.depth, 0.0], jitter: self.jitter, ..Block::default() };
+        let block = Block { size: Vec3::new(self.width, self.depth, 0.0), jitter: self.jitter, ..Block::default() };
         let mut scene = Scene::of(Dimension::Two, self.spacing, 1.0, fluid, block);
-        scene.gravity = [0.0, -self.gravity, 0.0];
+        scene.gravity = Vec3::new(0.0, -self.gravity, 0.0);
         let (kernel, neighbours) = self.kernel;
         scene.average_neighbours = neighbours;
         scene.time_step = (self.courant * support_radius(&scene) / f64::from(self.speed_of_sound)) as f32;
@@ -78,8 +79,8 @@ impl Column {
             negative_pressure: false,
             ..WENDLAND
         };
-        let high = [self.width, self.depth * (1.0 + HEADROOM), 0.0];
-        let shape = WallShape::Box { low: [0.0; 3], high, open: [Face::Ceiling].into_iter().collect() };
+        let high = Vec3::new(self.width, self.depth * (1.0 + HEADROOM), 0.0);
+        let shape = WallShape::Box { low: Vec3::ZERO, high, open: [Face::Ceiling].into_iter().collect() };
         scene.walls = [Wall::still(shape)].into_iter().collect();
         scene.grid = grid(Dimension::Two, 32);
         scene

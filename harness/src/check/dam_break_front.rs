@@ -6,6 +6,7 @@ use super::reference::{along, pairs};
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
+use glam::Vec3;
 use millpond_core::OwnedMemory;
 use millpond_core::derive::support_radius;
 use millpond_core::scene::{
@@ -121,10 +122,10 @@ fn forms() -> impl Iterator<Item = (DensityForm, WallPressure)> {
 fn scene(side: u16, (density, wall_pressure): (DensityForm, WallPressure)) -> Scene {
     let spacing = BASE / f32::from(side);
     let fluid = Fluid { speed_of_sound: SPEED_OF_SOUND, dynamic_viscosity: VISCOSITY, ..Fluid::default() };
-    let block = Block { size: [BASE, HEIGHT, 0.0], ..Block::default() };
+    let block = Block { size: Vec3::new(BASE, HEIGHT, 0.0), ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, spacing, 1.0, fluid, block);
     scene.time_step = (COURANT * support_radius(&scene) / f64::from(SPEED_OF_SOUND)) as f32;
-    scene.gravity = [0.0, -GRAVITY, 0.0];
+    scene.gravity = Vec3::new(0.0, -GRAVITY, 0.0);
     // the column stands behind its gate before it is let go; numbers of particles cannot be made to show its weight
     let initialize_hydrostatic = density != DensityForm::NumberDensity;
     scene.model = Formulation {
@@ -135,7 +136,7 @@ fn scene(side: u16, (density, wall_pressure): (DensityForm, WallPressure)) -> Sc
         negative_pressure: false,
         ..WENDLAND
     };
-    let shape = WallShape::Box { low: [0.0; 3], high: TANK, open: [Face::Ceiling].into_iter().collect() };
+    let shape = WallShape::Box { low: Vec3::ZERO, high: TANK.into(), open: [Face::Ceiling].into_iter().collect() };
     // no slip: the bed of the experiment was dry, and the front is the tongue that runs over it
     scene.walls = [Wall::still(shape)].into_iter().collect();
     scene.grid = grid(Dimension::Two, 64);

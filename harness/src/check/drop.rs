@@ -7,6 +7,7 @@ use super::Context;
 use super::flow::{checked, fluid, grid, heap_for, larger, mean, start_with, step, steps_to};
 use super::recipes::SEVERAL_FLUIDS;
 use crate::failure::Failure;
+use glam::Vec3;
 use millpond_core::derive::support_radius;
 use millpond_core::scene::{
     Block, Dimension, Fluid, Formulation, InitialParticle, Kernel, Periodic, Scene, SurfaceTension,
@@ -185,13 +186,20 @@ impl Droplet {
             ..Fluid::default()
         };
         let half = self.half_side();
-        let block = Block { corner: [-half, -half, 0.0], size: [2.0 * half, 2.0 * half, 0.0], ..Block::default() };
+        let block = Block {
+            corner: Vec3::new(-half, -half, 0.0),
+            size: Vec3::new(2.0 * half, 2.0 * half, 0.0),
+            ..Block::default()
+        };
         let spacing = if like { self.spacing * setting.looser } else { self.spacing };
         let mut scene = Scene::of(Dimension::Two, spacing, 1.0, drop, block);
         if like {
             scene.fluids.extend([drop]);
-            scene.periodic =
-                Some(Periodic { low: [-half, -half, 0.0], high: [half, half, 0.0], axes: [true, true, false] });
+            scene.periodic = Some(Periodic {
+                low: Vec3::new(-half, -half, 0.0),
+                high: Vec3::new(half, half, 0.0),
+                axes: [true, true, false],
+            });
         }
         let (kernel, neighbours) = setting.kernel;
         scene.average_neighbours = neighbours;

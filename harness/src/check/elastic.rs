@@ -119,7 +119,7 @@ struct Swing {
 /// Two particles with nothing but a spring between them: one pair is far from the rest density, and suction is off.
 fn pair() -> Scene {
     let fluid = Fluid { elastic_stiffness: PAIR_STIFFNESS, ..Fluid::default() };
-    let block = Block { size: [2.0 * PAIR_SPACING, PAIR_SPACING, 0.0], ..Block::default() };
+    let block = Block { size: Vec3::new(2.0 * PAIR_SPACING, PAIR_SPACING, 0.0), ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, PAIR_SPACING, 1.0, fluid, block);
     scene.model = Formulation { negative_pressure: false, ..WENDLAND };
     scene.grid = grid(Dimension::Two, 8);
@@ -132,7 +132,10 @@ fn swing(context: &Context, steps: u16) -> Result<Swing, Failure> {
     scene.time_step = (exact / f64::from(steps)) as f32;
     let apart = [-PAIR_SPEED, PAIR_SPEED].map(|speed| [speed, 0.0, 0.0]);
     let scene = checked(NAME, &scene)?;
-    let places = scene.initial_particles().zip(apart).map(|(place, velocity)| InitialParticle { velocity, ..place });
+    let places = scene
+        .initial_particles()
+        .zip(apart)
+        .map(|(place, velocity)| InitialParticle { velocity: velocity.into(), ..place });
     let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, places.collect(), &mut heap)?;
     let start = total(&solver.energies());
@@ -186,9 +189,9 @@ fn cube(context: &Context) -> Scene {
         elastic_stiffness: STIFFNESS,
         ..Fluid::default()
     };
-    let block = Block { corner: [MARGIN, DROP, MARGIN], size: [edge; 3], ..Block::default() };
+    let block = Block { corner: Vec3::new(MARGIN, DROP, MARGIN), size: Vec3::splat(edge), ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, SPACING, TIME_STEP, fluid, block);
-    scene.gravity = [0.0, -GRAVITY, 0.0];
+    scene.gravity = Vec3::new(0.0, -GRAVITY, 0.0);
     let width = edge + 2.0 * MARGIN;
     scene.container = Some(Container::closed([0.0; 3], [width, 2.0 * (edge + DROP), width]));
     scene.model = Formulation { normalize_mass: true, negative_pressure: false, internal_energy: true, ..WENDLAND };

@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::outcome::table;
 use crate::output::progress;
 use crate::timing::{Milliseconds, timed};
+use glam::Vec3;
 use millpond_core::OwnedMemory;
 use millpond_core::Particle;
 use millpond_core::scene::{Block, Dimension, Evaluation, Fluid, Formulation, Scene};
@@ -69,7 +70,7 @@ pub(super) fn figures(context: &Context) -> Result<(Vec<Metric>, String), Failur
 fn way(context: &Context, model: Formulation) -> Result<AxisSetter, Failure> {
     let edge = f32::from(if context.quick { QUICK_EDGE } else { EDGE }) * SPACING;
     let water = Fluid { dynamic_viscosity: 1.0, ..Fluid::default() };
-    let block = Block { size: [edge; 3], jitter: JITTER, ..Block::default() };
+    let block = Block { size: Vec3::splat(edge), jitter: JITTER, ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, SPACING, TIME_STEP, water, block);
     scene.model = model;
     scene.grid = grid(Dimension::Three, 16);

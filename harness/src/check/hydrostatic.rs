@@ -4,6 +4,7 @@ use super::flow::{checked, start_with, step, steps_to};
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
+use glam::Vec3;
 use millpond_core::OwnedMemory;
 use millpond_core::scene::{DensityForm, Viscosity, WallPressure, Wind};
 
@@ -92,7 +93,7 @@ fn settle(
     scene.model.viscosity = Viscosity::Artificial;
     scene.model.alpha = ALPHA;
     scene.model.beta = 0.0;
-    scene.wind = Some(Wind { velocity: [0.0; 3], drag: DRAG });
+    scene.wind = Some(Wind { velocity: Vec3::ZERO, drag: DRAG });
     let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, scene.initial_particles().collect(), &mut heap)?;

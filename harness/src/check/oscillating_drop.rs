@@ -14,6 +14,7 @@ use super::swing::{Swing, fit, natural, theory};
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
+use glam::Vec3;
 use millpond_core::Solver;
 use millpond_core::scene::{InitialParticle, SurfaceTension};
 use std::f64::consts::PI;
@@ -201,7 +202,7 @@ fn set_going(calm: &Calm, speed: f64) -> Vec<InitialParticle> {
             let fall = (radius / r2).powi(3);
             [fall * x * (x * x - 3.0 * y * y), fall * y * (3.0 * x * x - y * y)]
         };
-        InitialParticle { velocity: [(speed * u) as f32, (speed * v) as f32, 0.0], ..*place }
+        InitialParticle { velocity: Vec3::new((speed * u) as f32, (speed * v) as f32, 0.0), ..*place }
     };
     calm.places.iter().map(going).collect()
 }

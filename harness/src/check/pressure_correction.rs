@@ -5,6 +5,7 @@ use super::flow::{checked, start_with, step, steps_to};
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
+use glam::Vec3;
 use millpond_core::OwnedMemory;
 use millpond_core::scene::{Correction, Kernel, PressureForce, PressureSolver, Wind};
 
@@ -56,7 +57,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     scene.model.pressure_solver = PressureSolver::PressureCorrection;
     scene.model.pressure_force = PressureForce::Monaghan;
     scene.model.initialize_hydrostatic = true;
-    scene.wind = Some(Wind { velocity: [0.0; 3], drag: DRAG });
+    scene.wind = Some(Wind { velocity: Vec3::ZERO, drag: DRAG });
     let Correction { iteration, iterations, tolerance } = scene.model.correction;
 
     let scene = checked(NAME, &scene)?;

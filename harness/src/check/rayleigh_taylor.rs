@@ -12,6 +12,7 @@ use super::ripple::{DENSITIES, DEPTH, GRAVITY, Mode, NU, WAVE_NUMBER, formula};
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
+use glam::Vec3;
 use millpond_core::OwnedMemory;
 use millpond_core::derive::support_radius;
 use millpond_core::scene::{
@@ -141,17 +142,18 @@ fn scene(across: u16, (density, pressure_force): Form) -> Scene {
         ..Fluid::default()
     };
     let depth = DEPTH as f32;
-    let below = Block { size: [1.0, depth, 0.0], ..Block::default() };
-    let above = Block { fluid: 1, corner: [0.0, depth, 0.0], ..below };
+    let below = Block { size: Vec3::new(1.0, depth, 0.0), ..Block::default() };
+    let above = Block { fluid: 1, corner: Vec3::new(0.0, depth, 0.0), ..below };
     let mut scene = Scene::of(Dimension::Two, 1.0 / f32::from(across), 1.0, fluid(0), below);
     scene.fluids.extend([fluid(1)]);
     scene.blocks = [below, above].into_iter().collect();
     scene.average_neighbours = NEIGHBOURS;
     scene.time_step = (COURANT * support_radius(&scene) / SPEED_OF_SOUND) as f32;
-    scene.gravity = [0.0, -GRAVITY as f32, 0.0];
-    scene.periodic = Some(Periodic { low: [0.0; 3], high: [1.0, 2.0 * depth, 0.0], axes: [true, false, false] });
+    scene.gravity = Vec3::new(0.0, -GRAVITY as f32, 0.0);
+    scene.periodic =
+        Some(Periodic { low: Vec3::ZERO, high: Vec3::new(1.0, 2.0 * depth, 0.0), axes: [true, false, false] });
     let wall = |fluid: u32, face, y| {
-        let shape = WallShape::Plane { face, low: [0.0, y, 0.0], high: [1.0, y, 0.0] };
+        let shape = WallShape::Plane { face, low: Vec3::new(0.0, y, 0.0), high: Vec3::new(1.0, y, 0.0) };
         Wall { fluid, ..Wall::still(shape) }
     };
     scene.walls = [wall(0, Face::Floor, 0.0), wall(1, Face::Ceiling, 2.0 * depth)].into_iter().collect();
@@ -178,14 +180,18 @@ fn model((density, pressure_force): Form) -> Formulation {
 fn rippled(scene: &Checked<'_>, mode: &Mode) -> Vec<InitialParticle> {
     let fluid = scene.derived().fluid_particles;
     let moved = |place: InitialParticle| {
-        let (own, [x, y, _]) = (usize::from(place.material == 1), place.position.map(f64::from));
+        let (own, [x, y, _]) = (usize::from(place.material == 1), place.position.to_array().map(f64::from));
         let mut at = [x, y];
         for _ in 0..PARTS {
             let by = mode.displacement(at, own).map(|by| by * AMPLITUDE / f64::from(PARTS));
             at = [at[0] + by[0], at[1] + by[1]];
         }
         let [u, v] = mode.displacement(at, own).map(|by| (by * AMPLITUDE * mode.rate) as f32);
-        InitialParticle { position: [at[0].rem_euclid(1.0) as f32, at[1] as f32, 0.0], velocity: [u, v, 0.0], ..place }
+        InitialParticle {
+            position: [at[0].rem_euclid(1.0) as f32, at[1] as f32, 0.0].into(),
+            velocity: Vec3::new(u, v, 0.0),
+            ..place
+        }
     };
     scene.initial_particles().enumerate().map(|(i, place)| if i < fluid { moved(place) } else { place }).collect()
 }
@@ -235,7 +241,7 @@ fn rise(context: &Context) -> Result<(f64, String), Failure> {
     // water everywhere, and some of it is oil: at the same pressure it is as much compressed
     let centre = CENTRE;
     let relabelled = |place: InitialParticle| {
-        let [x, y, _] = place.position;
+        let [x, y, _] = place.position.to_array();
         let inside = (x - centre[0]).hypot(y - centre[1]) < RADIUS;
         if inside { InitialParticle { material: 1, ..place } } else { place }
     };
@@ -273,13 +279,13 @@ fn oil_in_water() -> Scene {
     };
     let oil = Fluid { rest_density: OIL, speed_of_sound: WATER_SOUND * (WATER / OIL).sqrt(), ..water };
     let [width, height] = TANK;
-    let block = Block { size: [width, height, 0.0], ..Block::default() };
+    let block = Block { size: Vec3::new(width, height, 0.0), ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, OIL_SPACING, 1.0, water, block);
     scene.fluids.extend([oil]);
     scene.average_neighbours = NEIGHBOURS;
     scene.time_step = (COURANT * support_radius(&scene) / f64::from(oil.speed_of_sound)) as f32;
-    scene.gravity = [0.0, -GRAVITY as f32, 0.0];
-    let tank = WallShape::Box { low: [0.0; 3], high: [width, height, 0.0], open: [].into_iter().collect() };
+    scene.gravity = Vec3::new(0.0, -GRAVITY as f32, 0.0);
+    let tank = WallShape::Box { low: Vec3::ZERO, high: Vec3::new(width, height, 0.0), open: [].into_iter().collect() };
     scene.walls = [Wall::still(tank)].into_iter().collect();
     // mirroring walls would give energy to what moves along them
     scene.model = Formulation { negative_pressure: false, wall_pressure: WallPressure::Dynamic, ..model(FORMS[0]) };

@@ -10,6 +10,7 @@ use super::recipes::WENDLAND;
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
+use glam::Vec3;
 use millpond_core::derive::support_radius;
 use millpond_core::scene::{
     Block, DensityForm, Dimension, Fluid, Formulation, InitialParticle, Periodic, PressureForce, Scene,
@@ -126,11 +127,11 @@ fn scene(side: u16, (density, force): (DensityForm, PressureForce)) -> Scene {
         dynamic_viscosity: VISCOSITY,
         ..Fluid::default()
     };
-    let block = Block { size: [1.0, 1.0, 0.0], ..Block::default() };
+    let block = Block { size: Vec3::new(1.0, 1.0, 0.0), ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, LOOSER / f32::from(side), 1.0, fluid, block);
     scene.average_neighbours = AVERAGE_NEIGHBOURS;
     scene.time_step = (COURANT * support_radius(&scene) / f64::from(SPEED_OF_SOUND)) as f32;
-    scene.periodic = Some(Periodic { low: [0.0; 3], high: [1.0, 1.0, 0.0], axes: [true, true, false] });
+    scene.periodic = Some(Periodic { low: Vec3::ZERO, high: Vec3::new(1.0, 1.0, 0.0), axes: [true, true, false] });
     scene.model = Formulation { normalize_mass: true, density, pressure_force: force, ..WENDLAND };
     scene.grid = grid(Dimension::Two, 32);
     scene
@@ -164,7 +165,12 @@ fn particles(scene: &Checked<'_>, side: u16, start: Start) -> Vec<InitialParticl
             let [u, v] = exact(x, y);
             let (position, velocity) = ([x as f32, y as f32, 0.0], [u as f32, v as f32, 0.0]);
             // where density is stepped it starts as dense as the packing
-            all.push(InitialParticle { position, velocity, deviation: deviation as f32, ..pattern });
+            all.push(InitialParticle {
+                position: position.into(),
+                velocity: velocity.into(),
+                deviation: deviation as f32,
+                ..pattern
+            });
         }
     }
     all

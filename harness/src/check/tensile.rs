@@ -5,6 +5,7 @@ use super::recipes::PIROVANO;
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
+use glam::Vec3;
 use millpond_core::OwnedMemory;
 use millpond_core::scene::{Block, Dimension, Fluid, Formulation, NearPressure, Scene};
 use millpond_core::{Particle, Solver};
@@ -86,7 +87,7 @@ fn line(near: NearPressure, end: f64, blob: &Result<Blob, Failure>) -> [String; 
 fn scene(context: &Context, near_pressure: NearPressure) -> Scene {
     let edge = f32::from(if context.quick { QUICK_EDGE } else { EDGE }) * SPACING;
     let water = Fluid { dynamic_viscosity: VISCOSITY, ..Fluid::default() };
-    let block = Block { corner: [-edge / 2.0; 3], size: [edge; 3], ..Block::default() };
+    let block = Block { corner: Vec3::splat(-edge / 2.0), size: Vec3::splat(edge), ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, SPACING, TIME_STEP, water, block);
     scene.average_neighbours = AVERAGE_NEIGHBOURS;
     scene.model = Formulation { near_pressure, ..PIROVANO };

@@ -10,6 +10,7 @@ use super::strata::{GRAVITY, HEAVY, NEAR, Rest, Row, averaged, mixed, near, rows
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
+use glam::Vec3;
 use millpond_core::OwnedMemory;
 use millpond_core::derive::support_radius;
 use millpond_core::scene::{
@@ -154,15 +155,15 @@ fn profile(case: Case, smeared: &[Row], adapted: &Rest, classic: Option<&Rest>) 
 fn scene(side: u16, ratio: f32, (density, pressure_force): Form) -> Scene {
     let heavy = Fluid { rest_density: HEAVY, speed_of_sound: SPEED_OF_SOUND, ..Fluid::default() };
     let light = Fluid { rest_density: HEAVY / ratio, speed_of_sound: SPEED_OF_SOUND * ratio.sqrt(), ..heavy };
-    let below = Block { size: [1.0, 0.5, 0.0], ..Block::default() };
-    let above = Block { fluid: 1, corner: [0.0, 0.5, 0.0], ..below };
+    let below = Block { size: Vec3::new(1.0, 0.5, 0.0), ..Block::default() };
+    let above = Block { fluid: 1, corner: Vec3::new(0.0, 0.5, 0.0), ..below };
     let mut scene = Scene::of(Dimension::Two, 1.0 / f32::from(side), 1.0, heavy, below);
     scene.fluids.extend([light]);
     scene.blocks = [below, above].into_iter().collect();
     let (kernel, neighbours) = KERNEL;
     scene.average_neighbours = neighbours;
     scene.time_step = (COURANT * support_radius(&scene) / f64::from(light.speed_of_sound)) as f32;
-    scene.gravity = [0.0, -GRAVITY, 0.0];
+    scene.gravity = Vec3::new(0.0, -GRAVITY, 0.0);
     scene.model = Formulation {
         density,
         pressure_force,
@@ -181,7 +182,10 @@ fn scene(side: u16, ratio: f32, (density, pressure_force): Form) -> Scene {
     // each fluid between walls of its own density: what the classic sum smears is the interface alone
     let walls = |fluid: u32, from: f32, open: Face| {
         let (low, high) = ([0.0, from, 0.0], [1.0, from + 0.5, 0.0]);
-        Wall { fluid, ..Wall::still(WallShape::Box { low, high, open: [open].into_iter().collect() }) }
+        Wall {
+            fluid,
+            ..Wall::still(WallShape::Box { low: low.into(), high: high.into(), open: [open].into_iter().collect() })
+        }
     };
     scene.walls = [walls(0, 0.0, Face::Ceiling), walls(1, 0.5, Face::Floor)].into_iter().collect();
     scene.grid = grid(Dimension::Two, 32);

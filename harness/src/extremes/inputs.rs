@@ -2,6 +2,7 @@
 use super::settings::CELLS;
 use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
+use glam::Vec3;
 use millpond_core::scene::{
     AccelerationField, AdaptiveTimeStep, Air, Fluid, Periodic, Plasticity, Scene, SupportRange, SurfaceTension, Wall,
     WallShape, Wind,
@@ -19,11 +20,11 @@ const NUMBERS: &[(&str, Number)] = &[
     ("particle_spacing", |s| Some(&mut s.particle_spacing)),
     ("average_neighbours", |s| Some(&mut s.average_neighbours)),
     ("time_step", |s| Some(&mut s.time_step)),
-    ("gravity", |s| s.gravity.get_mut(1)),
+    ("gravity", |s| s.gravity.as_mut().get_mut(1)),
     ("ambient_density", |s| Some(&mut s.ambient_density)),
-    ("wind.velocity", |s| wind(s).velocity.first_mut()),
+    ("wind.velocity", |s| wind(s).velocity.as_mut().first_mut()),
     ("wind.drag", |s| Some(&mut wind(s).drag)),
-    ("acceleration_field.low", |s| field(s).low.first_mut()),
+    ("acceleration_field.low", |s| field(s).low.as_mut().first_mut()),
     ("acceleration_field.spacing", |s| Some(&mut field(s).spacing)),
     ("fluids[0].rest_density", |s| Some(&mut s.fluids[0].rest_density)),
     ("fluids[0].speed_of_sound", |s| Some(&mut s.fluids[0].speed_of_sound)),
@@ -43,21 +44,21 @@ const NUMBERS: &[(&str, Number)] = &[
     ("fluids[0].colour", |s| s.fluids[0].colour.get_or_insert([0.0; 3]).first_mut()),
     ("fluids[1].rest_density", |s| Some(&mut other(s)?.rest_density)),
     ("fluids[1].speed_of_sound", |s| Some(&mut other(s)?.speed_of_sound)),
-    ("blocks.corner", |s| s.blocks.first_mut()?.corner.first_mut()),
-    ("blocks.size", |s| s.blocks.first_mut()?.size.first_mut()),
-    ("blocks.velocity", |s| s.blocks.first_mut()?.velocity.first_mut()),
+    ("blocks.corner", |s| s.blocks.first_mut()?.corner.as_mut().first_mut()),
+    ("blocks.size", |s| s.blocks.first_mut()?.size.as_mut().first_mut()),
+    ("blocks.velocity", |s| s.blocks.first_mut()?.velocity.as_mut().first_mut()),
     ("blocks.jitter", |s| Some(&mut s.blocks.first_mut()?.jitter)),
     ("blocks.dynamic_viscosity", |s| Some(s.blocks.first_mut()?.dynamic_viscosity.get_or_insert(1.0))),
-    ("container.low", |s| s.container.as_mut()?.low.get_mut(1)),
-    ("container.high", |s| s.container.as_mut()?.high.get_mut(1)),
+    ("container.low", |s| s.container.as_mut()?.low.as_mut().get_mut(1)),
+    ("container.high", |s| s.container.as_mut()?.high.as_mut().get_mut(1)),
     ("container.restitution", |s| Some(&mut s.container.as_mut()?.restitution)),
     ("container.slip", |s| Some(&mut s.container.as_mut()?.slip)),
     ("walls.low", |s| Some(&mut wall(s)?.0[0])),
     ("walls.high", |s| Some(&mut wall(s)?.1[0])),
-    ("walls.velocity", |s| walled(s)?.velocity.first_mut()),
+    ("walls.velocity", |s| walled(s)?.velocity.as_mut().first_mut()),
     ("walls.dynamic_viscosity", |s| Some(walled(s)?.dynamic_viscosity.get_or_insert(1.0))),
-    ("periodic.low", |s| periodic(s).low.first_mut()),
-    ("periodic.high", |s| periodic(s).high.first_mut()),
+    ("periodic.low", |s| periodic(s).low.as_mut().first_mut()),
+    ("periodic.high", |s| periodic(s).high.as_mut().first_mut()),
     ("elasticity.reach", |s| Some(&mut elastic(s).reach)),
     ("elasticity.plasticity.rate", |s| Some(&mut plastic(s).rate)),
     ("elasticity.plasticity.yield_strain", |s| Some(&mut plastic(s).yield_strain)),
@@ -116,11 +117,11 @@ pub fn cases() -> Result<Vec<Case>, Failure> {
 }
 
 fn wind(scene: &mut Scene) -> &mut Wind {
-    scene.wind.get_or_insert(Wind { velocity: [1.0, 0.0, 0.0], drag: 1.0 })
+    scene.wind.get_or_insert(Wind { velocity: Vec3::new(1.0, 0.0, 0.0), drag: 1.0 })
 }
 
 fn field(scene: &mut Scene) -> &mut AccelerationField {
-    scene.acceleration_field.get_or_insert(AccelerationField { low: [0.0; 3], spacing: 1.0, counts: [4, 4, 1] })
+    scene.acceleration_field.get_or_insert(AccelerationField { low: Vec3::ZERO, spacing: 1.0, counts: [4, 4, 1] })
 }
 
 fn pulled(scene: &mut Scene) -> &mut Fluid {
@@ -140,19 +141,23 @@ fn other(scene: &mut Scene) -> Option<&mut Fluid> {
 }
 
 fn walled(scene: &mut Scene) -> Option<&mut Wall> {
-    let shape = WallShape::Box { low: [0.0; 3], high: [0.5, 0.5, 0.0], open: [].into_iter().collect() };
+    let shape = WallShape::Box { low: Vec3::ZERO, high: Vec3::new(0.5, 0.5, 0.0), open: [].into_iter().collect() };
     let _ = scene.walls.push(Wall::still(shape));
     scene.walls.last_mut()
 }
 
 /// Low and high corner of a wall.
-fn wall(scene: &mut Scene) -> Option<(&mut [f32; 3], &mut [f32; 3])> {
+fn wall(scene: &mut Scene) -> Option<(&mut Vec3, &mut Vec3)> {
     let (WallShape::Plane { low, high, .. } | WallShape::Box { low, high, .. }) = &mut walled(scene)?.shape;
     Some((low, high))
 }
 
 fn periodic(scene: &mut Scene) -> &mut Periodic {
-    scene.periodic.get_or_insert(Periodic { low: [0.0; 3], high: [4.0, 3.0, 0.0], axes: [true, false, false] })
+    scene.periodic.get_or_insert(Periodic {
+        low: Vec3::ZERO,
+        high: Vec3::new(4.0, 3.0, 0.0),
+        axes: [true, false, false],
+    })
 }
 
 fn elastic(scene: &mut Scene) -> &mut millpond_core::scene::Elasticity {

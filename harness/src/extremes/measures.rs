@@ -64,7 +64,7 @@ impl Measure {
 /// Largest distance from where a particle should have fallen, over the way of the fall.
 fn off_fall(run: &Run<'_>) -> f64 {
     let t = run.seconds;
-    let g = run.scene.gravity.map(f64::from);
+    let g = run.scene.gravity.to_array().map(f64::from);
     let way = g.iter().map(|g| g * g).sum::<f64>().sqrt() * t * t / 2.0;
     let mut off = 0.0f64;
     for ((x0, v0), x) in run.start.position().iter().zip(run.start.velocity()).zip(run.end.position()) {

@@ -2,6 +2,7 @@
 use super::settings::CELLS;
 use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
+use glam::Vec3;
 use millpond_core::Quantity;
 use millpond_core::scene::{GridStructure, InitialParticle, NearPressure, Scene};
 use millpond_core::{Axis, SceneError, StepError};
@@ -19,7 +20,7 @@ const CROWD: u16 = 100;
 pub fn cases() -> Result<Vec<Case>, Failure> {
     let mut open = built_in("thesis-cube", 200)?;
     open.grid.cells = CELLS;
-    open.gravity = [0.0, -9.81, 0.0];
+    open.gravity = Vec3::new(0.0, -9.81, 0.0);
     let mut cases = few(&open);
     cases.extend(coincident(&open));
     cases.extend(far(&open));
@@ -47,7 +48,7 @@ fn coincident(scene: &Scene) -> Vec<Case> {
     // in f32 the square of 1e-30 m is 0, and that of 1e-20 m has few digits left
     let apart = |distance: f32| vec![at(-0.5 * distance), at(0.5 * distance)];
     let mut light = scene.clone();
-    light.gravity = [0.0; 3];
+    light.gravity = Vec3::ZERO;
     let slow = |v: f32| InitialParticle::at([0.0, 1.0, 0.0], [v, -v, 0.0]);
     vec![
         Case::of_places("two coincident particles", scene, many(2), FALL, End::Runs(Measure::Falls)),
@@ -97,8 +98,8 @@ fn no_numbers(scene: &Scene) -> Vec<Case> {
             let name = format!("a {what} of {bad}");
             cases.push(Case::of_places(name, &weighed, vec![at(0.1), place, at(0.2)], 1, end));
         };
-        case("position", InitialParticle { position: [0.0, bad, 0.0], ..at(0.0) }, position);
-        case("velocity", InitialParticle { velocity: [0.0, 0.0, bad], ..at(0.0) }, velocity);
+        case("position", InitialParticle { position: Vec3::new(0.0, bad, 0.0), ..at(0.0) }, position);
+        case("velocity", InitialParticle { velocity: Vec3::new(0.0, 0.0, bad), ..at(0.0) }, velocity);
         case("density", InitialParticle { deviation: bad, ..at(0.0) }, density);
         case("pressure", InitialParticle { pressure: bad, ..at(0.0) }, density);
         case("mass", InitialParticle { mass: bad, ..at(0.0) }, mass);
@@ -128,7 +129,7 @@ fn crowded(scene: &Scene) -> Vec<Case> {
 
     // three rest in a cell with as many places, a fourth flies in
     let mut three = scene.clone();
-    three.gravity = [0.0; 3];
+    three.gravity = Vec3::ZERO;
     three.model.near_pressure = NearPressure::Off;
     three.grid.structure = GridStructure::CellLists { places: 3 };
     let resting =

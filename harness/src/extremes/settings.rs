@@ -2,6 +2,7 @@
 //! places where `f32` has no digits left.
 use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
+use glam::Vec3;
 use millpond_core::derive::support_radius;
 use millpond_core::scene::{Container, GridStructure, Scene, Viscosity, Wall, WallShape};
 use millpond_core::{Axis, SceneError, StepError};
@@ -125,7 +126,7 @@ fn sound(dam: &Scene) -> Vec<Case> {
     let mach_1 = changed(&with(50.0, 5e-5), |s| {
         for block in &mut s.blocks {
             block.corner[1] += 0.01;
-            block.velocity = [0.0, -50.0, 0.0];
+            block.velocity = Vec3::new(0.0, -50.0, 0.0);
         }
     });
     vec![
@@ -153,7 +154,7 @@ fn nothing(dam: &Scene) -> Vec<Case> {
     let walls = changed(dam, |s| {
         s.blocks.clear();
         s.container = None;
-        let shape = WallShape::Box { low: [0.0; 3], high: [0.5, 0.5, 0.0], open: [].into_iter().collect() };
+        let shape = WallShape::Box { low: Vec3::ZERO, high: Vec3::new(0.5, 0.5, 0.0), open: [].into_iter().collect() };
         s.walls = [Wall::still(shape)].into_iter().collect();
     });
     let size = End::Refused(|e| matches!(e, SceneError::NotPositive { field: "blocks.size", .. }));

@@ -1,6 +1,7 @@
 //! Axes of a map: what varies, over which values, and how a value gets into a scene.
 use crate::failure::Failure;
 use crate::scenes::{SceneFile, with};
+use glam::Vec3;
 use millpond_core::scene::{EquationOfState, Fluid, Integrator, Scene, Viscosity};
 use serde::Serialize;
 
@@ -264,10 +265,9 @@ fn density_ratio(scene: &mut Scene, value: f32) -> Result<(), &'static str> {
 
 /// Of the last block, along gravity; down where there is none.
 fn drop_speed(scene: &mut Scene, value: f32) -> Result<(), &'static str> {
-    let length = scene.gravity.iter().map(|g| g * g).sum::<f32>().sqrt();
-    let down = if length > 0.0 { scene.gravity.map(|g| g / length) } else { [0.0, -1.0, 0.0] };
+    let down = scene.gravity.try_normalize().unwrap_or(Vec3::NEG_Y);
     let block = scene.blocks.last_mut().ok_or("the scene has no block to drop")?;
-    block.velocity = down.map(|part| part * value);
+    block.velocity = down * value;
     Ok(())
 }
 
@@ -335,6 +335,6 @@ mod tests {
         assert!((second.speed_of_sound - 500.0).abs() < 0.01, "{}", second.speed_of_sound);
         assert_eq!((scene.fluids[0].dynamic_viscosity, second.dynamic_viscosity), (7.0, 7.0));
         let scene = chosen("dam-break", &[("drop_speed", "5"), ("time_step", "0.002")]).expect("it has a block");
-        assert_eq!((scene.blocks[0].velocity, scene.time_step), ([0.0, -5.0, 0.0], 0.002));
+        assert_eq!((scene.blocks[0].velocity, scene.time_step), (Vec3::new(0.0, -5.0, 0.0), 0.002));
     }
 }

@@ -1,4 +1,5 @@
 //! Where a fluid may be: inside of what holds it.
+use glam::Vec3;
 use millpond_core::scene::{Face, Scene, WallShape};
 
 /// A box that the fluid is held in; infinite where it is open.
@@ -9,8 +10,8 @@ pub(super) struct Bound {
 }
 
 impl Bound {
-    fn of(scene: &Scene, low: [f32; 3], high: [f32; 3], open: &[Face]) -> Bound {
-        let mut bound = Bound { low: low.map(f64::from), high: high.map(f64::from) };
+    fn of(scene: &Scene, low: Vec3, high: Vec3, open: &[Face]) -> Bound {
+        let mut bound = Bound { low: low.to_array().map(f64::from), high: high.to_array().map(f64::from) };
         let round = |axis: usize| scene.periodic.is_some_and(|periodic| periodic.axes[axis]);
         for face in Face::ALL {
             let axis = face.axis();

@@ -1,4 +1,5 @@
 //! What `tests/bare` steps, and `tests/core_stands_alone.rs` beside it.
+use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     Block, Container, Correction, DensityForm, Dimension, EquationOfState, Evaluation, Fluid, Formulation, Grid,
     Integrator, Iteration, Kernel, NearPressure, PressureForce, PressureSolver, Scene, SurfaceTension, Viscosity,
@@ -8,7 +9,7 @@ use millpond_core::scene::{
 /// A thousand particles in the corner of a box.
 pub fn scene() -> Scene {
     let water = Fluid { speed_of_sound: 20.0, dynamic_viscosity: 2.0, ..Fluid::default() };
-    let block = Block { size: [0.5; 3], jitter: 0.02, ..Block::default() };
+    let block = Block { size: Vec3::splat(0.5), jitter: 0.02, ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, water, block);
     // every formula is named, so that the known bits outlive any change of a default
     scene.model = Formulation {
@@ -41,7 +42,7 @@ pub fn scene() -> Scene {
         variable_support: None,
         wall_pressure: WallPressure::Mirrored,
     };
-    scene.gravity = [0.0, -9.81, 0.0];
+    scene.gravity = Vec3::new(0.0, -9.81, 0.0);
     scene.container = Some(Container { restitution: 0.5, slip: 0.9, ..Container::closed([0.0; 3], [1.0, 1.0, 0.5]) });
     scene.grid = Grid { cells: [8, 8, 8], ..Grid::default() };
     scene

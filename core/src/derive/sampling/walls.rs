@@ -3,6 +3,7 @@ use super::lattice::{indices, volume, whole};
 use crate::derive::material::FIRST_WALL;
 use crate::derive::scales::Scales;
 use crate::scene::{Face, InitialParticle, Scene, Wall, WallPressure, WallShape};
+use glam::Vec3;
 
 /// Layers of a wall: Hinsch's two with mirrored pressure, Pirovano's three as quasi-fluid; more where the support reaches further.
 pub(crate) fn wall_layers(scene: &Scene, scales: &Scales) -> u32 {
@@ -28,12 +29,12 @@ fn layers_of(wall: &Wall, scene: &Scene, layers: u32) -> Layers {
     let d = scene.dimension.count();
     let spacing = f64::from(scene.particle_spacing);
     let layers = u64::from(layers);
-    let count = |low: &[f32; 3], high: &[f32; 3], axis: usize| {
+    let count = |low: &Vec3, high: &Vec3, axis: usize| {
         if axis < d { whole(high[axis] - low[axis], scene) } else { 1 }
     };
     match &wall.shape {
         WallShape::Plane { face, low, high } => {
-            let mut corner = low.map(f64::from);
+            let mut corner = low.to_array().map(f64::from);
             let mut counts = [0, 1, 2].map(|axis| count(low, high, axis));
             counts[face.axis()] = layers;
             if !face.is_high() {
@@ -43,7 +44,7 @@ fn layers_of(wall: &Wall, scene: &Scene, layers: u32) -> Layers {
         }
         WallShape::Box { low, high, open } => {
             let inside = [0, 1, 2].map(|axis| count(low, high, axis));
-            let mut corner = low.map(f64::from);
+            let mut corner = low.to_array().map(f64::from);
             let (mut offset, mut counts) = ([0; 3], inside);
             for face in Face::ALL.iter().filter(|face| face.axis() < d) {
                 let axis = face.axis();
