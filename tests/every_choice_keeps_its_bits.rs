@@ -7,7 +7,7 @@ use millpond::compare::difference;
 use millpond::pool::Pool;
 use millpond::snapshot::Snapshot;
 use millpond_core::OwnedMemory;
-use millpond_core::layout::f32x4;
+use millpond_core::backend::layout::f32x4;
 use millpond_core::scene::{Dimension, Scene};
 use millpond_core::{Plan, Simd, Solver};
 use millpond_gpu::program::{Intrinsics, program};

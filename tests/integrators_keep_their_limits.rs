@@ -6,7 +6,7 @@
 use millpond::check::integrators::limits::{grows, measured};
 use millpond::check::integrators::orders::global;
 use millpond::check::integrators::{DAMPED, DAMPINGS, HARDENING, Scheme, area, theory};
-use millpond_core::arithmetic::double::Double;
+use millpond_core::backend::arithmetic::double::Double;
 use millpond_core::scene::Integrator;
 
 /// Of the study: 1 % of a limit, 0.1 of an order.

@@ -3,7 +3,7 @@
 //!
 //! That the shaders' folders hold the same passes is for `gpu/tests/terms_are_one_text.rs`.
 use millpond_core::Pass;
-use millpond_core::terms::texts;
+use millpond_core::backend::terms::texts;
 use std::collections::BTreeSet;
 use std::path::Path;
 

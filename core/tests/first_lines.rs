@@ -1,8 +1,8 @@
 //! Promise: the first lines of code that a host reads, in README and in the examples, compile and run as they stand.
 //!
 //! `stack_is_small.rs` runs them once more without optimisation, on a stack of 1 MiB.
+use millpond_core::backend::layout::f32x4;
 use millpond_core::glam::Vec3;
-use millpond_core::layout::f32x4;
 use millpond_core::scene::{Block, Dimension, Fluid, Scene};
 use millpond_core::{Serial, Solver, Storage};
 use std::error::Error;

@@ -3,10 +3,10 @@
 //!
 //! Quadrature and differences are in f64 over the f32 terms themselves. `millpond check kernels` says more.
 use approx::assert_relative_eq;
-use millpond_core::derive::kernel_constants::{laplacian, near_slope_constant, slope, value};
-use millpond_core::layout::Model;
+use millpond_core::backend::derive::kernel_constants::{laplacian, near_slope_constant, slope, value};
+use millpond_core::backend::layout::Model;
+use millpond_core::backend::terms::kernel::{kernel_slope, kernel_w};
 use millpond_core::scene::Kernel;
-use millpond_core::terms::kernel::{kernel_slope, kernel_w};
 use std::f64::consts::PI;
 
 /// Integral over the unit ball of `f(q)`, by the midpoint rule on 20 000 shells: its error is of second order in the
@@ -114,7 +114,7 @@ fn the_near_kernel_is_spikys_with_the_next_power() {
     // errata of Pirovano, section 3.1: 45 / (pi H^4) in 3D and 30 / (pi H^3) in 2D, for the slope (1 - q)^3
     assert_relative_eq!(near_slope_constant(3), 45.0 / PI, max_relative = 1e-13);
     assert_relative_eq!(near_slope_constant(2), 30.0 / PI, max_relative = 1e-13);
-    assert_relative_eq!(millpond_core::terms::near::near_slope_proportional(0.5f32), 0.125);
+    assert_relative_eq!(millpond_core::backend::terms::near::near_slope_proportional(0.5f32), 0.125);
 }
 
 #[test]

@@ -3,11 +3,11 @@
 //!
 //! Hinsch's kernel is the cubic spline with support 2 h, h being the spacing, so the support radius here is 2 spacings.
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use millpond_core::arithmetic::real::vec3;
-use millpond_core::derive::support_radius;
+use millpond_core::backend::arithmetic::real::vec3;
+use millpond_core::backend::derive::support_radius;
+use millpond_core::backend::terms::kernel::cubic_spline::{cubic_spline_slope, cubic_spline_w};
+use millpond_core::backend::terms::kernel::kernel_w;
 use millpond_core::scene::{Block, Dimension, Fluid, Kernel, NearPressure, PressureForce, Scene};
-use millpond_core::terms::kernel::cubic_spline::{cubic_spline_slope, cubic_spline_w};
-use millpond_core::terms::kernel::kernel_w;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 

@@ -1,9 +1,10 @@
 //! Promise: how much memory there is for neighbour lists changes time, never a bit, at any level: with lists that are full from the
 //! start, from the middle on, or of some groups; with windows of slots that run out; with more candidates or neighbours than are ever
 //! listed, beside walls too; and with groups that are not full. Each case is seen to be the case it is meant to be.
+use millpond_core::backend::ListReport;
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{Face, InitialParticle, Scene, Wall, WallPressure, WallShape};
-use millpond_core::{LIST_WORDS, ListReport, OwnedMemory, Plan, Requirements, Simd, Solver};
+use millpond_core::{LIST_WORDS, OwnedMemory, Plan, Requirements, Simd, Solver};
 
 mod support;
 use support::{Threads, dam_break, dam_break_2d, start, with_a_crowd};

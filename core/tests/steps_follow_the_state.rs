@@ -3,7 +3,7 @@
 //! promise. (That a device's clock agrees is for `gpu/tests/clocks_agree.rs`.)
 use approx::assert_relative_eq;
 use millpond_core::OwnedMemory;
-use millpond_core::derive::{speed_of_sound, support_radius};
+use millpond_core::backend::derive::{speed_of_sound, support_radius};
 use millpond_core::scene::{AdaptiveTimeStep, Fluid, GridStructure, InitialParticle, Integrator, Scene};
 use millpond_core::{Array, Plan, Requirements, Serial, Solver, StepError, TimeReport};
 

@@ -1,7 +1,7 @@
 //! What a pass binds, as WGSL and as types: declarations that follow from core's table of passes.
-use millpond_core::layout::{Model, Status, WORKGROUP};
-use millpond_core::plan::arrays::{Class, Side};
-use millpond_core::plan::passes::{Access, Binding, Bound, Threads};
+use millpond_core::backend::layout::{Model, Status, WORKGROUP};
+use millpond_core::backend::plan::arrays::{Class, Side};
+use millpond_core::backend::plan::passes::{Access, Binding, Bound, Threads};
 use millpond_core::{Array, Pass};
 
 /// Uniforms before the arrays: the parameters, the numbers of the step, the materials, the kernel tables.

@@ -3,9 +3,9 @@ use crate::bindings::{cell_blocks, is_on_device};
 use crate::device::Gpu;
 use crate::error::GpuError;
 use bytemuck::{Pod, Zeroable, cast_slice};
-use millpond_core::layout::{Model, Status, TABLE_WORDS, f32x4};
-use millpond_core::memory::{Counts, Requirements};
-use millpond_core::plan::arrays::{Class, Side};
+use millpond_core::backend::layout::{Model, Status, TABLE_WORDS, f32x4};
+use millpond_core::backend::memory::{Counts, Requirements};
+use millpond_core::backend::plan::arrays::{Class, Side};
 use millpond_core::{Array, Solver};
 
 /// Distance of two uniforms that share a buffer: no device asks for more.

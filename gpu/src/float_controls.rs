@@ -1,7 +1,7 @@
 //! What a driver promises about floats if a program asks for it: SPIR-V's float controls, for 32 bits.
 //!
 //! A driver that offers none of them may still compute as core does, and one that offers all of them may not: the words'
-//! test ([`crate::words`]) is the judge. But a driver that flushes denormals unless it is asked to keep them is asked.
+//! test ([`crate::intrinsics`]) is the judge. But a driver that flushes denormals unless it is asked to keep them is asked.
 
 /// Which of the float controls a driver offers for 32 bits. None by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

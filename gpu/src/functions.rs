@@ -1,6 +1,6 @@
 //! The terms as WGSL, function by function: a program gets those that it calls, and no driver reads the others.
 use crate::text::wgsl_of;
-use millpond_core::terms::texts;
+use millpond_core::backend::terms::texts;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 

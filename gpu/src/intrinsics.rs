@@ -4,8 +4,8 @@ use crate::buffers::{Maker, read};
 use crate::device::Gpu;
 use crate::error::GpuError;
 use crate::pipelines::dispatch_once;
-use millpond_core::arithmetic::real::{abs, div, floor, flush, larger, less, root, select, smaller};
-use millpond_core::layout::{WORKGROUP, f32x4};
+use millpond_core::backend::arithmetic::real::{abs, div, floor, flush, larger, less, root, select, smaller};
+use millpond_core::backend::layout::{WORKGROUP, f32x4};
 
 /// A word, or a spelling that drivers like to rewrite.
 struct Word {

@@ -2,7 +2,7 @@
 use crate::bindings::{CELL_BLOCK, declarations, reads_pairs, workgroup};
 use crate::functions::Functions;
 use millpond_core::Pass;
-use millpond_core::layout::{
+use millpond_core::backend::layout::{
     MATERIALS, MOST_ATTEMPTS, Materials, Model, PLANES, Parameters, QUANTITIES_OF_ID, StepUniform, TABLE_ENTRIES,
     TABLE_WORDS,
 };

@@ -6,16 +6,17 @@ use crate::error::GpuError;
 use crate::pass_times::PassClock;
 use crate::pipelines::{Dispatch, dispatches, record};
 use core::mem::offset_of;
-use millpond_core::arithmetic::real::{div, vec3};
+use millpond_core::backend::arithmetic::real::{div, vec3};
+use millpond_core::backend::hash::state_hash;
+use millpond_core::backend::layout::{Status, StepUniform, f32x4};
+use millpond_core::backend::live::{Change, LiveScene};
+use millpond_core::backend::plan::arrays::{Class, Side};
+use millpond_core::backend::save::{Record, saved_bytes, write};
+use millpond_core::backend::terms::integrate::history_rescaled;
+use millpond_core::backend::{SteadyTime, verdict};
 use millpond_core::glam::Vec3;
-use millpond_core::hash::state_hash;
-use millpond_core::layout::{Status, StepUniform, f32x4};
-use millpond_core::live::{Change, LiveScene};
-use millpond_core::plan::arrays::{Class, Side};
-use millpond_core::save::{Record, saved_bytes, write};
 use millpond_core::scene::Wind;
-use millpond_core::terms::integrate::history_rescaled;
-use millpond_core::{AirReport, Array, CorrectionReport, Pass, SceneError, Solver, SteadyTime, TimeReport, verdict};
+use millpond_core::{AirReport, Array, CorrectionReport, Pass, SceneError, Solver, TimeReport};
 
 /// Steps that are recorded before the status is read: a failed step is found at most this late, and costs nothing more.
 pub const STEPS_PER_STATUS: u32 = 64;

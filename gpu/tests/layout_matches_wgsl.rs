@@ -1,7 +1,7 @@
 //! Promise: every shared struct has the same bytes in WGSL as in Rust, and no pass binds more than wgpu's default allows.
 //!
 //! naga reads the complete program of every pass; no device is needed.
-use millpond_core::layout::{Materials, Model, Parameters, Status, StepUniform, f32x4, u32x4};
+use millpond_core::backend::layout::{Materials, Model, Parameters, Status, StepUniform, f32x4, u32x4};
 use millpond_core::{Pass, Plan};
 use millpond_gpu::program::{Intrinsics, program};
 use millpond_gpu::strict::validate;

@@ -1,5 +1,5 @@
 //! Promise: a step whose passes are timed is the same step, and each pass that the plan runs on a device has its time.
-use millpond_core::plan::passes::Threads;
+use millpond_core::backend::plan::passes::Threads;
 use millpond_core::{OwnedMemory, Plan, Solver};
 use millpond_gpu::{GpuError, GpuSolver, Mode};
 

@@ -1,8 +1,8 @@
 //! Promise: the text of the terms is the whole physics on both sides. Every pass compiles as WGSL without a device, uses
 //! no builtin whose bits are a driver's affair, and the shaders' folders hold exactly the passes.
-use millpond_core::layout::Model;
-use millpond_core::plan::passes::Threads;
-use millpond_core::terms::texts;
+use millpond_core::backend::layout::Model;
+use millpond_core::backend::plan::passes::Threads;
+use millpond_core::backend::terms::texts;
 use millpond_core::{Pass, Plan};
 use millpond_gpu::program::{Intrinsics, library, program};
 use millpond_gpu::strict::validate;

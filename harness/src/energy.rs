@@ -1,7 +1,7 @@
 //! The energy of a fluid as a whole, with what is stored in its compression, and the sound that this makes.
 use glam::Vec3;
-use millpond_core::derive::{FluidConstants, speed_of_sound};
-use millpond_core::hash::tree_sum;
+use millpond_core::backend::derive::{FluidConstants, speed_of_sound};
+use millpond_core::backend::hash::tree_sum;
 use millpond_core::scene::{EquationOfState, Fluid, PressureForce, Scene};
 use millpond_core::{Checked, Particle, Solver};
 

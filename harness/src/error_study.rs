@@ -7,7 +7,7 @@ use crate::pool::Pool;
 use crate::scenes::{LoadedScene, load};
 use millpond_core::OwnedMemory;
 use millpond_core::Solver;
-use millpond_core::hash::tree_sum;
+use millpond_core::backend::hash::tree_sum;
 use millpond_core::scene::{EquationOfState, Scene};
 use serde::Serialize;
 use std::collections::BTreeMap;

@@ -5,9 +5,9 @@ use crate::pool::Pool;
 use crate::scenes::LoadedScene;
 use crate::snapshot::Snapshot;
 use millpond_core::OwnedMemory;
-use millpond_core::layout::{Materials, Parameters, u32x4};
+use millpond_core::backend::layout::{Materials, Parameters, u32x4};
+use millpond_core::backend::springs::energy;
 use millpond_core::scene::Scene;
-use millpond_core::springs::energy;
 use millpond_core::{AirReport, Array, CorrectionReport, Plan, Solver, TimeReport};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 

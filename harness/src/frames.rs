@@ -5,8 +5,8 @@ use crate::run_length::RunLength;
 use crate::scenes::{Camera, LoadedScene, SceneFile, Shade};
 use crate::snapshot::Snapshot;
 use glam::Vec3;
-use millpond_core::derive::{Material, material_of};
-use millpond_core::layout::f32x4;
+use millpond_core::backend::derive::{Material, material_of};
+use millpond_core::backend::layout::f32x4;
 use millpond_core::scene::{Dimension, Fluid, Scene, WallShape};
 use std::path::{Path, PathBuf};
 

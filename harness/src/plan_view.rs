@@ -6,11 +6,11 @@ use crate::pool::Pool;
 use crate::scenes::{LoadedScene, load};
 use crate::timing::{Milliseconds, timed};
 use millpond_core::OwnedMemory;
-use millpond_core::layout::Model;
-use millpond_core::plan::schedule::Command;
+use millpond_core::backend::layout::Model;
+use millpond_core::backend::plan::schedule::Command;
+use millpond_core::backend::terms::correction::PRESSURE_CORRECTION;
+use millpond_core::backend::terms::table::TABLE;
 use millpond_core::scene::Scene;
-use millpond_core::terms::correction::PRESSURE_CORRECTION;
-use millpond_core::terms::table::TABLE;
 use millpond_core::{Array, Checked, Plan, Requirements, Solver};
 use serde::Serialize;
 

@@ -12,8 +12,8 @@ use crate::state_summary::{FirstLast, summarize};
 use crate::timing::{Milliseconds, timed};
 use crate::warnings::{gained, warnings};
 use millpond_core::OwnedMemory;
-use millpond_core::derive::{Material, material_of};
-use millpond_core::layout::f32x4;
+use millpond_core::backend::derive::{Material, material_of};
+use millpond_core::backend::layout::f32x4;
 use millpond_core::{AirReport, Checked, CorrectionReport, TimeReport};
 use std::path::Path;
 

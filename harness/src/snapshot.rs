@@ -1,8 +1,8 @@
 //! A state of either backend: every array that a fluid consists of, bit by bit, in the order of the ids.
 use crate::failure::Failure;
-use millpond_core::hash::state_hash;
-use millpond_core::layout::{f32x4, u32x2};
-use millpond_core::plan::arrays::{Class, Unit};
+use millpond_core::backend::hash::state_hash;
+use millpond_core::backend::layout::{f32x4, u32x2};
+use millpond_core::backend::plan::arrays::{Class, Unit};
 use millpond_core::scene::InitialParticle;
 use millpond_core::{Array, Solver, TimeReport};
 use millpond_gpu::GpuSolver;
@@ -91,7 +91,7 @@ impl Snapshot {
         self.vectors(Array::velocity)
     }
 
-    /// [`QUANTITIES`](millpond_core::layout::QUANTITIES).
+    /// [`QUANTITIES`](millpond_core::backend::layout::QUANTITIES).
     #[must_use]
     pub fn density_pressure(&self) -> &[f32x4] {
         self.vectors(Array::density_pressure)

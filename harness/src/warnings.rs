@@ -2,11 +2,11 @@
 use crate::energy::{GROWTH_LIMIT, driven_by};
 use crate::state_summary::StateSummary;
 use millpond_core::Checked;
-use millpond_core::derive::kernel_constants::slope;
-use millpond_core::derive::{FluidConstants, average_neighbours, support_radius};
-use millpond_core::report::Courant;
+use millpond_core::backend::derive::kernel_constants::slope;
+use millpond_core::backend::derive::{FluidConstants, average_neighbours, support_radius};
+use millpond_core::backend::report::Courant;
+use millpond_core::backend::validate::MOST_SPACINGS_AWAY;
 use millpond_core::scene::{Dimension, Fluid, Kernel, NearPressure, Scene, SurfaceTension};
-use millpond_core::validate::MOST_SPACINGS_AWAY;
 use std::f64::consts::PI;
 
 /// Largest share of its support that sound and the fastest particle together may cross in a step: past it explicit

@@ -1,8 +1,8 @@
 //! What tests of a fluid share, and need nothing but core for: small scenes, threads, random numbers. The tests of `gpu/tests`
 //! and `tests` read this text too.
 #![allow(dead_code, unreachable_pub, reason = "each test uses its part")]
+use millpond_core::backend::plan::arrays::{Class, Unit};
 use millpond_core::glam::Vec3;
-use millpond_core::plan::arrays::{Class, Unit};
 use millpond_core::scene::{
     Block, Container, Dimension, Fluid, Formulation, Grid, InitialParticle, Kernel, NearPressure, PressureForce, Scene,
 };

@@ -4,7 +4,8 @@ use crate::failure::Failure;
 use crate::pool::Pool;
 use crate::snapshot::Snapshot;
 use crate::timing::timed;
-use millpond_core::{ListReport, Pass, Solver};
+use millpond_core::backend::ListReport;
+use millpond_core::{Pass, Solver};
 use millpond_gpu::{Gpu, GpuError, GpuSolver, Mode};
 use std::time::Instant;
 

@@ -1,11 +1,13 @@
 //! What one pair costs, counted: a number that counts what is done to it goes through the terms of the scene.
-use millpond_core::arithmetic::real::{Real, real, vec3};
-use millpond_core::layout::{Model, Parameters, TABLE_WORDS};
-use millpond_core::terms::density::{continuity_neighbour, is_stepped, number_density_neighbour, summed_neighbour};
-use millpond_core::terms::near::{DOUBLE_DENSITY, near_density_neighbour};
-use millpond_core::terms::neighbour::force_neighbour;
-use millpond_core::terms::pair::{Local, pair_scale, separation, squared_ratio};
-use millpond_core::terms::wall::mass_seen;
+use millpond_core::backend::arithmetic::real::{Real, real, vec3};
+use millpond_core::backend::layout::{Model, Parameters, TABLE_WORDS};
+use millpond_core::backend::terms::density::{
+    continuity_neighbour, is_stepped, number_density_neighbour, summed_neighbour,
+};
+use millpond_core::backend::terms::near::{DOUBLE_DENSITY, near_density_neighbour};
+use millpond_core::backend::terms::neighbour::force_neighbour;
+use millpond_core::backend::terms::pair::{Local, pair_scale, separation, squared_ratio};
+use millpond_core::backend::terms::wall::mass_seen;
 use std::cell::Cell;
 use std::ops::{Add, Mul, Neg, Sub};
 

@@ -4,9 +4,10 @@ use super::operations::{of_density, of_force, of_test};
 use super::{Ceilings, PassTime, Roof};
 use crate::pool::Pool;
 use crate::timing::timed;
-use millpond_core::arithmetic::probe::multiply_and_add;
-use millpond_core::plan::schedule::Command;
-use millpond_core::{Array, Executor, ListReport, Pass, Requirements, Simd, Solver};
+use millpond_core::backend::ListReport;
+use millpond_core::backend::arithmetic::probe::multiply_and_add;
+use millpond_core::backend::plan::schedule::Command;
+use millpond_core::{Array, Executor, Pass, Requirements, Simd, Solver};
 use std::hint::black_box;
 
 /// Rounds of the arithmetic probe: some milliseconds.

@@ -12,7 +12,7 @@ use crate::outcome::table;
 use glam::Vec3;
 use millpond_core::OwnedMemory;
 use millpond_core::Solver;
-use millpond_core::derive::support_radius;
+use millpond_core::backend::derive::support_radius;
 use millpond_core::scene::{
     Block, Dimension, Face, Fluid, Formulation, Kernel, Periodic, Scene, Viscosity, Wall, WallShape,
 };

@@ -3,7 +3,7 @@ use super::flow::{fluid, grid, mean};
 use super::recipes::WENDLAND;
 use glam::Vec3;
 use millpond_core::Solver;
-use millpond_core::derive::support_radius;
+use millpond_core::backend::derive::support_radius;
 use millpond_core::scene::{Block, Dimension, Face, Fluid, Formulation, Kernel, Scene, Wall, WallShape};
 
 /// A tank of water.

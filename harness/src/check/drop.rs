@@ -8,7 +8,7 @@ use super::flow::{checked, fluid, grid, heap_for, larger, mean, start_with, step
 use super::recipes::SEVERAL_FLUIDS;
 use crate::failure::Failure;
 use glam::Vec3;
-use millpond_core::derive::support_radius;
+use millpond_core::backend::derive::support_radius;
 use millpond_core::scene::{
     Block, Dimension, Fluid, Formulation, InitialParticle, Kernel, Periodic, Scene, SurfaceTension,
 };

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::outcome::table;
 use glam::Vec3;
 use millpond_core::OwnedMemory;
-use millpond_core::report::Energies;
+use millpond_core::backend::report::Energies;
 use millpond_core::scene::{Block, Container, Dimension, Fluid, Formulation, InitialParticle, Scene};
 use millpond_core::{Particle, Solver};
 use std::f64::consts::{PI, TAU};

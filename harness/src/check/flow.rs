@@ -3,7 +3,7 @@ use super::Context;
 use crate::failure::Failure;
 use crate::output::progress;
 use millpond_core::OwnedMemory;
-use millpond_core::hash::tree_sum;
+use millpond_core::backend::hash::tree_sum;
 use millpond_core::scene::{Dimension, Grid, InitialParticle, Scene};
 use millpond_core::{Checked, Particle, Plan, Requirements, SceneError, Solver};
 

@@ -5,9 +5,9 @@ use super::reference::{entry, number, rows};
 use super::{Context, Metric, Outcome, evaluation, lattice};
 use crate::failure::Failure;
 use crate::outcome::table;
-use millpond_core::derive::kernel_constants::{laplacian, slope, value};
+use millpond_core::backend::derive::kernel_constants::{laplacian, slope, value};
+use millpond_core::backend::terms::kernel::kernel_w;
 use millpond_core::scene::Kernel;
-use millpond_core::terms::kernel::kernel_w;
 use std::f64::consts::PI;
 
 const NAME: &str = "kernels";

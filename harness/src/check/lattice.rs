@@ -4,7 +4,7 @@ use super::Metric;
 use super::reference::{entry, number, rows};
 use crate::failure::Failure;
 use crate::outcome::table;
-use millpond_core::derive::kernel_constants::{slope, value};
+use millpond_core::backend::derive::kernel_constants::{slope, value};
 use millpond_core::scene::Kernel;
 use std::f64::consts::PI;
 

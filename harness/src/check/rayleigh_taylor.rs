@@ -14,7 +14,7 @@ use crate::failure::Failure;
 use crate::outcome::table;
 use glam::Vec3;
 use millpond_core::OwnedMemory;
-use millpond_core::derive::support_radius;
+use millpond_core::backend::derive::support_radius;
 use millpond_core::scene::{
     Block, DensityForm, Dimension, Face, Fluid, Formulation, InitialParticle, Kernel, Periodic, PressureForce, Scene,
     Wall, WallPressure, WallShape,

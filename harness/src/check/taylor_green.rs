@@ -11,7 +11,7 @@ use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use glam::Vec3;
-use millpond_core::derive::support_radius;
+use millpond_core::backend::derive::support_radius;
 use millpond_core::scene::{
     Block, DensityForm, Dimension, Fluid, Formulation, InitialParticle, Periodic, PressureForce, Scene,
 };

@@ -1,7 +1,7 @@
 //! Where two states differ, array by array, and by how much.
 use crate::snapshot::Snapshot;
 use millpond_core::Array;
-use millpond_core::plan::arrays::Class;
+use millpond_core::backend::plan::arrays::Class;
 use serde::Serialize;
 
 /// Position and velocity of something.

@@ -146,7 +146,7 @@ mod tests {
     use super::*;
     use crate::compare::difference::difference;
     use crate::snapshot::Snapshot;
-    use millpond_core::layout::f32x4;
+    use millpond_core::backend::layout::f32x4;
     use millpond_core::scene::{Block, Dimension, Fluid};
 
     const SPACING: f32 = 0.025;

@@ -3,7 +3,7 @@
 use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
 use glam::Vec3;
-use millpond_core::derive::support_radius;
+use millpond_core::backend::derive::support_radius;
 use millpond_core::scene::{Container, GridStructure, Scene, Viscosity, Wall, WallShape};
 use millpond_core::{Axis, SceneError, StepError};
 

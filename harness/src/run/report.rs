@@ -74,9 +74,9 @@ pub struct Courant {
     pub viscosity: f64,
 }
 
-impl From<millpond_core::report::Courant> for Courant {
-    fn from(courant: millpond_core::report::Courant) -> Courant {
-        let millpond_core::report::Courant { speed, acceleration, sound, viscosity } = courant;
+impl From<millpond_core::backend::report::Courant> for Courant {
+    fn from(courant: millpond_core::backend::report::Courant) -> Courant {
+        let millpond_core::backend::report::Courant { speed, acceleration, sound, viscosity } = courant;
         Courant { speed, acceleration, sound, viscosity }
     }
 }

@@ -4,7 +4,7 @@ use crate::energy::{DENSITY_LIMIT, GROWTH_LIMIT, driven_by, scale, total};
 use crate::output::seconds;
 use crate::scenes::MOST_BYTES;
 use millpond_core::OwnedMemory;
-use millpond_core::derive::support_radius;
+use millpond_core::backend::derive::support_radius;
 use millpond_core::scene::Scene;
 use millpond_core::{Checked, Requirements, SceneError, Serial, Solver, StepError};
 use serde::{Deserialize, Serialize};

@@ -7,7 +7,7 @@ use super::{Courant, Outcome, Run};
 use crate::energy::fastest_sound;
 use crate::failure::Failure;
 use crate::output::seconds;
-use millpond_core::derive::support_radius;
+use millpond_core::backend::derive::support_radius;
 use millpond_core::scene::Scene;
 
 /// Share of the support that sound crosses in the step that a bisection starts from (Monaghan 1992).

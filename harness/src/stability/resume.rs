@@ -1,7 +1,7 @@
 //! What is finished stays finished: a line of JSON for each point, added as soon as it is done.
 use super::Run;
 use crate::failure::Failure;
-use millpond_core::hash::Fnv;
+use millpond_core::backend::hash::Fnv;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions};

@@ -10,7 +10,7 @@ use crate::plot::{Line, line_plot};
 use crate::pool::Pool;
 use crate::scenes::LoadedScene;
 use millpond_core::Solver;
-use millpond_core::hash::tree_sum;
+use millpond_core::backend::hash::tree_sum;
 use millpond_core::scene::Scene;
 use serde::Serialize;
 use std::collections::BTreeMap;

@@ -5,7 +5,7 @@
 //! is then a constant factor of the area. With a spring that stiffens it is none.
 use super::oscillator::{Motion, Oscillator};
 use super::scheme::Scheme;
-use millpond_core::arithmetic::double::Double;
+use millpond_core::backend::arithmetic::double::Double;
 
 /// s, and 1/s: omega dt = 0.5.
 const TIME_STEP: f32 = 0.125;

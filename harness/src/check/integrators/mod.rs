@@ -20,7 +20,7 @@ use super::flow::larger;
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use millpond_core::Executor;
-use millpond_core::arithmetic::double::Double;
+use millpond_core::backend::arithmetic::double::Double;
 use orders::Order;
 use swings::{STIFFNESSES, Swing, omega_dt};
 

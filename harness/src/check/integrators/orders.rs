@@ -1,7 +1,7 @@
 //! Orders of accuracy as halved steps show them: of the error at a fixed time, and of that of a single step.
 use super::oscillator::{Motion, Oscillator};
 use super::scheme::Scheme;
-use millpond_core::arithmetic::double::Double;
+use millpond_core::backend::arithmetic::double::Double;
 use millpond_core::scene::Integrator;
 
 /// 1/s.

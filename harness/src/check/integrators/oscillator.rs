@@ -1,9 +1,9 @@
 //! Pirovano's oscillators (sections 2.3.2 and 2.3.3), moved by the very terms that move particles.
 use super::scheme::Scheme;
-use millpond_core::arithmetic::double::Double;
-use millpond_core::arithmetic::real::{Real, real, vec3};
-use millpond_core::layout::{Model, StepUniform};
-use millpond_core::terms::integrate::{
+use millpond_core::backend::arithmetic::double::Double;
+use millpond_core::backend::arithmetic::real::{Real, real, vec3};
+use millpond_core::backend::layout::{Model, StepUniform};
+use millpond_core::backend::terms::integrate::{
     MODIFIED_VELOCITY_VERLET, history_after, history_turned, is_beeman, moved, position_after, velocity_after,
     velocity_for_forces,
 };

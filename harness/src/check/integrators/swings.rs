@@ -2,7 +2,7 @@
 use super::oscillator::{Motion, Oscillator};
 use super::scheme::Scheme;
 use crate::check::flow::larger;
-use millpond_core::arithmetic::double::Double;
+use millpond_core::backend::arithmetic::double::Double;
 
 /// Stiffnesses, N/m: Pirovano's.
 pub(super) const STIFFNESSES: [f64; 5] = [100.0, 10_000.0, 15_000.0, 20_000.0, 100_000.0];
