@@ -9,7 +9,7 @@ use crate::terms::integrate::history_rescaled;
 use glam::Vec3;
 
 impl Solver<'_> {
-    /// The host's field from now on, one acceleration a node of [`Scene::field`](crate::scene::Scene::field), x fastest, m/s2; the fourth numbers are
+    /// The host's field from now on, one acceleration a node of [`Scene::acceleration_field`](crate::scene::Scene::acceleration_field), x fastest, m/s2; the fourth numbers are
     /// unused. A field that changes with time is set again before each step, as it will be at the end of the step; set before
     /// the first step, it also acts in that step's first half.
     ///

@@ -1,21 +1,25 @@
-//! millpond-core: the physics of a fixed-capacity SPH fluid and its CPU solver.
+//! millpond-core: a fluid of particles (smoothed particle hydrodynamics, SPH) that you step inside your own program.
 //!
-//! No standard library, no allocation: you lend memory ([`Storage`], or slices of your own), say what the scene is
-//! ([`scene::Scene`]), and call [`Solver::step`]. The same scene gives the same bits on any number of threads, at every
-//! SIMD level, in debug and release, with either grid structure, and on the GPU backend in strict mode.
+//! The crate needs no standard library and allocates nothing. You lend it memory ([`Storage`], [`OwnedMemory`], or slices of your own),
+//! describe what flows ([`scene::Scene`]), and step it ([`Solver::step`]). The same scene gives the same bits on any number of threads,
+//! at every SIMD level, in debug and release builds, with either grid structure, and on a GPU in strict mode (`millpond-gpu`).
 //!
-//! Data flows one way, and the modules are the stations:
-//! 1. [`scene`]: what is asked for, plain data;
-//! 2. [`validate`]: what is refused; [`mod@derive`]: what follows from a scene, computed once;
-//! 3. [`plan`]: what runs: the table of arrays, the table of passes, and the step as a list of commands;
-//! 4. [`memory`] and [`layout`]: the arrays cut out of lent memory, and the bytes that both backends share;
-//! 5. [`solver`]: the public face, with what it goes through: [`live`] (changes between steps), [`save`] (bytes), [`report`],
-//!    [`springs`];
-//! 6. `step`: the interpreter of the commands; `passes`: the loops, one file a pass, in folders that stand in the order of the step;
-//! 7. [`terms`]: the physics, each formula once for scalar, lanes and WGSL; [`arithmetic`]: its vocabulary; [`grid`]: how neighbours
-//!    are found.
+//! All quantities are in SI units. In two dimensions every z is 0 and masses are per metre of depth.
 //!
-//! SI units throughout; in 2D every z is 0 and masses are per metre of depth.
+//! # For readers of the source
+//!
+//! Data flows one way through the folders of `core/src`:
+//! 1. `scene`: what a scene asks for, as plain data;
+//! 2. `validate`: what is refused, and why; `derive`: what follows from a scene, computed once;
+//! 3. `plan`: the tables of arrays and passes, and a time step as a list of commands;
+//! 4. `memory` and `layout`: the arrays, cut out of the memory you lend, and the bytes that both backends share;
+//! 5. `solver`: the public API, with `live` (changes between steps), `save` (bytes), `report` and `springs`;
+//! 6. `step` runs the commands; `passes` has the loops, one file a pass, in folders in the order of the step;
+//! 7. `terms`: the physics, each formula once for scalars, SIMD lanes and WGSL; `arithmetic`: the functions that formulas may call;
+//!    `grid`: how neighbours are found.
+//!
+//! A formula names its source by author and year, and `docs/references.md` of the repository lists the sources. "Corrected" beside
+//! an equation means that the source misprints it: `docs/errata.md` has what it should say.
 #![no_std]
 #![deny(unsafe_code)]
 

@@ -1,7 +1,6 @@
-//! What a scene is: a fluid, where it starts, what holds it and drives it, and which formulas move it.
+//! What a scene asks for: the fluids, where they start, what holds and drives them, and which formulas move them.
 //!
-//! A scene is plain data in SI units: everything here is what somebody asked for, and nothing is computed from it. What follows
-//! from it is in [`derive`](crate::derive), and what cannot run is refused by [`validate`](crate::validate).
+//! A scene is plain data in SI units. [`Scene::check`] says whether it can run; nothing else here is computed from it.
 mod air;
 mod choice;
 mod elasticity;
