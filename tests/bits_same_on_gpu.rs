@@ -1,5 +1,6 @@
-//! Promise: in strict mode a device gives the bits of the CPU over 500 steps, looked at after each step or after several,
-//! however many it makes between two looks at its status. `vocabulary_parity.rs` shows that strict mode is what does it.
+//! Promise: in strict mode a device gives the bits of the CPU over 500 steps, compared after each step or after
+//! several, however many steps run between two reads of the status. `vocabulary_parity.rs` shows that strict mode is
+//! the reason.
 use millpond::compare::difference;
 use millpond::snapshot::Snapshot;
 use millpond_core::OwnedMemory;
@@ -34,13 +35,13 @@ fn for_500_steps_of_a_dam_break() {
 
 #[test]
 fn for_500_steps_of_the_thesis_cube() {
-    // 67 steps at once are more than are recorded before a look at the status
+    // 67 steps at once are more than the 64 that are recorded before the status is read
     check("bits_same_on_gpu, thesis-cube", &support::scaled("thesis-cube", 1000).file.scene, 500, 67);
 }
 
 #[test]
 fn with_more_cells_than_one_work_group_sums_up() {
-    // 4096 cells a block, and 256 blocks that the threads of a group go through at once
+    // a block has 4096 cells, and the threads of a work group process 256 blocks at once
     for (name, cells) in
         [("thesis-cube", [17, 17, 17]), ("thesis-cube", [20, 21, 22]), ("dam-break-2d", [1100, 1000, 1])]
     {
@@ -49,7 +50,7 @@ fn with_more_cells_than_one_work_group_sums_up() {
         scene.grid.cells = cells;
         check(&format!("bits_same_on_gpu, {name} in {cells:?} cells"), &scene, 20, 5);
     }
-    // with air one cell more than these: the block of the inactive particles is one of its own
+    // air adds one cell, that of the inactive particles, which here forms a block of its own
     let mut scene = support::air::drop(Dimension::Three, 200);
     scene.grid.cells = [16, 16, 16];
     check("bits_same_on_gpu, air beyond a block", &scene, 20, 5);
@@ -69,7 +70,7 @@ fn for_no_particle_and_for_one() {
 
 #[test]
 fn for_a_pair_at_the_very_edge_of_the_support() {
-    // at this distance the squared q rounds to 1 and the root of the squared distance over H to less
+    // at this distance q squared rounds to 1, but q itself, the distance over the support radius, rounds to less than 1
     let mut scene = support::scene("thesis-cube", &["particle_spacing=0.027", "average_neighbours=32"]).file.scene;
     scene.blocks.clear();
     let apart: f32 = 0.053_176_23;
@@ -80,7 +81,7 @@ fn for_a_pair_at_the_very_edge_of_the_support() {
     same_on_all_paths("edge of the support", &scene, &places);
 }
 
-/// Scalar, lanes with and without lists, and a device, over ten steps.
+/// Compares the scalar path, SIMD lanes with and without neighbour lists, and a device over ten steps.
 fn same_on_all_paths(test: &str, scene: &Scene, places: &[InitialParticle]) {
     let scene = &checked(scene);
     let gpu = device(test, Mode::Strict);

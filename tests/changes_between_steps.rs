@@ -1,7 +1,7 @@
-//! Promise: gravity, wind, the time step, and a fluid's viscosity, tension and stiffness can be changed between steps, on both backends
-//! with the same bits; a change before the first step is the same as a scene created like that, but for masses of a hydrostatic start and supports
-//! that vary; what the plan left out, and what no
-//! scene can have, is refused by name and changes nothing.
+//! Promise: gravity, wind, the time step, and a fluid's viscosity, surface tension and stiffness can be changed between
+//! steps, on both backends with the same bits. A change before the first step is equivalent to a scene created with the
+//! new value, except for the masses of a hydrostatic start and for variable supports. A change of a term that the plan
+//! left out, or to a value that no scene can have, is rejected with an error that names the field, and changes nothing.
 use millpond::compare::difference;
 use millpond::snapshot::Snapshot;
 use millpond_core::glam::Vec3;
@@ -15,7 +15,7 @@ use millpond_gpu::{GpuError, GpuSolver, Mode};
 mod support;
 use support::device;
 
-/// A block that falls into its box, with something of everything that can be changed.
+/// Returns a block that falls into its box, with every property that can be changed.
 fn scene() -> Scene {
     let water = Fluid { dynamic_viscosity: 2.0, surface_tension: 3.0, ..Fluid::default() };
     let block =
@@ -34,7 +34,7 @@ type OnCpu = fn(&mut Solver<'_>) -> Result<(), SceneError>;
 type OnGpu = fn(&mut GpuSolver) -> Result<(), GpuError>;
 type InScene = fn(&mut Scene);
 
-/// Each change: by name, on either backend, and in a scene.
+/// Each change: its name, how to make it on either backend, and how to make it in a scene.
 const CHANGES: &[(&str, OnCpu, OnGpu, InScene)] = &[
     (
         "gravity",
@@ -77,7 +77,7 @@ fn a_change_before_the_first_step_is_another_scene() {
         let [first, second] = &mut heaps;
         let mut changed = Solver::new(&scene(), first.lend()).expect("a scene");
         change(&mut changed).expect("a change");
-        // a plan of the other scene may leave out what this one has at 0
+        // the plan of the other scene may leave out a term that the changed solver has at 0
         let mut created = Solver::new(&other, second.lend()).expect("a scene");
         steps(&mut changed, 12);
         steps(&mut created, 12);
@@ -129,7 +129,7 @@ fn time_goes_on_from_where_the_step_was_changed() {
 
 #[test]
 fn a_displacement_that_is_remembered_follows_the_time_step() {
-    // without any force Verlet's displacement is v dt, whatever dt becomes
+    // without any force Verlet's displacement is v dt, however dt changes
     let mut alone = scene();
     (alone.gravity, alone.wind, alone.container) = (Vec3::ZERO, None, None);
     alone.blocks[0] =
@@ -208,7 +208,7 @@ fn a_field_that_is_refused_leaves_the_one_before() {
     let good = [[1.0, 2.0, 0.0, 0.0]; 16];
     asked.set_field(&good).expect("a field");
     left_alone.set_field(&good).expect("a field");
-    // with a gravity that it is added to, the largest number overflows
+    // added to this gravity, the largest number overflows
     let refused = asked.set_field(&[[f32::MAX; 4]; 16]);
     assert!(matches!(refused, Err(SceneError::FirstStep(_))), "{refused:?}");
     assert_eq!(asked.field(), good);

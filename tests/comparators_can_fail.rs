@@ -1,5 +1,5 @@
-//! Promise: what compares states sees a single value that is off by one unit in the last place, wherever it is; and what promises
-//! no bits may stray by 1 % of the spacing and of the speed of sound, and no more.
+//! Promise: the comparison of states detects a single value that is off by one unit in the last place, wherever it is.
+//! A device that promises no bits may deviate by 1 % of the spacing and of the speed of sound, and by no more.
 use millpond::compare::{Difference, Paths, PerQuantity, compare, difference, ulp_distance};
 use millpond::run_length::RunLength;
 use millpond::snapshot::Snapshot;
@@ -10,7 +10,7 @@ use millpond_gpu::Mode;
 mod support;
 use support::device;
 
-/// A moving fluid.
+/// Returns the state of a moving fluid.
 fn state() -> Snapshot {
     let mut scene = support::scaled("dam-break", 300).file.scene;
     (scene.model.internal_energy, scene.model.surface_normals, scene.model.xsph) = (true, true, 0.2);
@@ -118,7 +118,8 @@ fn compare_tells_of_one_ulp_in_one_step() {
 
 #[test]
 fn compare_tells_of_a_plain_device_that_strays_by_more_than_one_percent() {
-    // it has to be one that promises no bits; what its arithmetic makes of three steps is some 1e-6 of either
+    // the device must be one that promises no bits; its arithmetic deviates by about 1e-6 of the spacing and of the
+    // speed of sound in three steps
     for (share, kept) in [(0.99, true), (1.01, false)] {
         for array in [Array::position, Array::velocity] {
             let Some(gpu) = device("comparators_can_fail", Mode::Plain) else { return };

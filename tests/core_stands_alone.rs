@@ -1,8 +1,9 @@
 //! Promise: core needs neither the standard library nor an allocator, and gives the same bits without them.
 //!
-//! `tests/bare` is a `#![no_std] #![no_main]` program that owns a `static` Storage and steps it. If anything it links
-//! pulled in std, the link would fail with a second panic handler; if anything allocated, for want of an allocator. Its
-//! symbols are looked at too, and its sections: static memory must lie in .bss.
+//! `tests/bare` is a `#![no_std] #![no_main]` program that owns a `static` Storage and steps it. If anything that it
+//! links used std, there would be a second panic handler and linking would fail; if anything allocated, linking would
+//! fail for lack of an allocator. The test also checks the symbols and the sections of the program: static memory must
+//! lie in .bss.
 use millpond_core::OwnedMemory;
 use millpond_core::{Serial, Solver, Storage};
 use object::{Object as _, ObjectSection as _, ObjectSymbol as _};
@@ -46,7 +47,7 @@ fn a_program_without_std_and_allocator_steps_the_same_bits() {
         assert!(!allocates && !name.contains("__rust_alloc") && !name.contains("__rdl_alloc"), "{name}");
         assert!(!name.contains("3std"), "{name} is std's");
     }
-    // static memory lies in .bss: the program says how much of it there is, and holds none of it
+    // static memory lies in .bss: the program file records its size, but does not contain it
     let storage = size_of::<Storage<1000, 512>>() as u64;
     let bss = file.section_by_name(".bss").map_or(0, |section| section.size());
     assert!(storage > 200_000 && bss >= storage, "{bss} bytes of .bss, {storage} of memory");

@@ -1,8 +1,8 @@
-//! Promise: every choice that a scene can make gives the same bits on the scalar path, in lanes, on two threads, after it was saved
-//! and gone on with, and on a device in strict mode (without one, that its WGSL is valid); and no choice is left out
-//! but the half stencil, which no device has: `core/tests/each_pair_once.rs` holds it.
+//! Promise: every choice that a scene can make gives the same bits on the scalar path, in SIMD lanes, on two threads,
+//! after saving and restoring, and on a device in strict mode (without a device, its WGSL is validated instead). The
+//! only choice left out is the half stencil, which no device supports; `core/tests/each_pair_once.rs` tests it.
 //!
-//! The list is made from the choices themselves, in `choices/`, one of them at a time against the defaults.
+//! The list in `choices/` is made from the choices themselves, one of them at a time against the defaults.
 use millpond::compare::difference;
 use millpond::pool::Pool;
 use millpond::snapshot::Snapshot;
@@ -19,14 +19,14 @@ mod support;
 use choices::{base, choices, plainest};
 use support::{checked, device};
 
-/// Some field, of a shape that no symmetry hides.
+/// Returns an acceleration field whose shape has no symmetry that could hide an error.
 fn field(scene: &Scene) -> Vec<f32x4> {
     (0..checked(scene).derived().field_counts[3])
         .map(|i| [i as f32 * 0.7, 3.0 - (i * i) as f32 * 0.1, (i % 3) as f32, 0.0])
         .collect()
 }
 
-/// And another one, later.
+/// Returns another field, for the second half of the steps.
 fn other_field(scene: &Scene) -> Vec<f32x4> {
     field(scene).into_iter().map(|[x, y, z, w]| [y, -x, z, w]).collect()
 }
@@ -39,7 +39,7 @@ fn saved(solver: &Solver<'_>) -> Vec<u8> {
     bytes
 }
 
-/// All steps in lanes, but saved in the middle and gone on with by another solver.
+/// Makes all steps in SIMD lanes, but saves the state halfway and continues with another solver.
 fn with_a_break(scene: &Scene) -> Snapshot {
     let memory = || OwnedMemory::of(&scene.check().expect("a scene"));
     let (mut first, mut second) = (memory(), memory());
@@ -55,7 +55,7 @@ fn with_a_break(scene: &Scene) -> Snapshot {
     Snapshot::of_cpu(&other)
 }
 
-/// All steps, the second half in another field.
+/// Makes all steps, the second half of them in another field.
 fn half_and_half(scene: &Scene, solver: &mut Solver<'_>, pool: &Pool) {
     (0..STEPS / 2).for_each(|_| solver.step(pool).expect("a step"));
     solver.set_field(&other_field(scene)).expect("a field");
@@ -93,7 +93,7 @@ fn by_cpu(
     [Some(Snapshot::of_cpu(&solver)), on_device.map(|(state, _)| state)]
 }
 
-/// What differs in any bit of any array of the state, in words.
+/// Returns the first difference in any bit of any array of the state, in words.
 fn differs(want: &Snapshot, got: Option<&Snapshot>) -> Option<String> {
     difference(want, got.expect("a state")).map(|found| found.first)
 }
@@ -125,7 +125,7 @@ fn check(dimension: Dimension) {
         } else {
             assert_eq!(differs(&want, on_device.as_ref()), None, "{name}: on the device");
         }
-        // by its plan and by everything, the same
+        // the plan of the scene and a plan with every term must give the same bits
         let mut heap = OwnedMemory::with(&millpond_core::Requirements::by_plan(&known, &Plan::everything(&known)));
         let (count, places) = (known.derived().particles(), known.initial_particles());
         let plan = Plan::everything(&known);
@@ -136,7 +136,7 @@ fn check(dimension: Dimension) {
         assert_eq!(whole.hash(), want.hash(), "{name}: with every term left in");
         seen.push((name, scene, want));
     }
-    // a choice that changed nothing would be tested by nothing
+    // a choice that changes no bit would not be tested at all
     let mut alike = Vec::new();
     for (i, (name, scene, state)) in seen.iter().enumerate() {
         let same = seen[..i]
@@ -144,7 +144,7 @@ fn check(dimension: Dimension) {
             .find(|(_, other, known)| plainest(other) != plainest(scene) && difference(known, state).is_none());
         alike.extend(same.map(|(known, ..)| format!("{name} | {known}")));
     }
-    // where particles are looked up never changes a bit
+    // the structure of the grid never changes a bit
     assert_eq!(alike, ["cell lists | defaults"]);
 }
 

@@ -1,5 +1,5 @@
-//! Promise: what nobody should ask for ends in a sound state, or in a refusal by name that changes nothing; never in a hang, a
-//! panic or numbers that mean nothing and do not say so. The cases are those of `millpond check extremes`.
+//! Promise: extreme input ends in a sound state, or in an error that names the cause and changes nothing; it never ends
+//! in a hang, a panic, or meaningless numbers without an error. The cases are those of `millpond check extremes`.
 use millpond::Failure;
 use millpond::extremes::{Case, End, Measure, coincident, inputs, judge, particles, settings};
 use millpond_gpu::Mode;
@@ -39,7 +39,8 @@ fn every_number_of_a_scene_as_what_no_number_should_be() {
 
 #[test]
 fn and_one_that_should_end_otherwise_is_found() {
-    // what is refused was to run, and what runs was to be refused: both by the particles' and by the steps' errors
+    // the expected ends are swapped: a scene that is refused is expected to start and then stop with an error, and all
+    // other cases are expected to be refused
     let mut wrong: Vec<Case> = particles::cases().expect("built-in scenes");
     for case in &mut wrong {
         case.end = match case.end {
@@ -59,7 +60,7 @@ fn and_a_refusal_that_names_another_field_is_found() {
     assert_eq!(cases.len(), 61 * 4, "every number of a scene");
     let mut refused = 0;
     for mut case in cases {
-        // a field that nobody has, and one that is there and fine
+        // a field that does not exist, and one that exists and is valid
         let end = case.end;
         for other in ["nobodys_field", "grid.structure"] {
             case.end = match end {

@@ -1,15 +1,16 @@
-//! Promise: an integrator is stable up to the omega dt that theory gives it, is of the order that it says, and keeps areas of phase
-//! space where it says so.
+//! Promise: an integrator is stable up to the omega dt that theory predicts, has the order of accuracy that it claims,
+//! and conserves area in phase space where it claims to.
 //!
-//! On a mass on a spring, moved by the terms that move particles. Theory is the characteristic polynomial of each scheme, whose
-//! closed forms the unit tests of `millpond::check::integrators::theory` hold. `millpond check integrators` says more.
+//! The test system is a mass on a spring, moved by the same terms that move particles. The theory is the characteristic
+//! polynomial of each scheme; the unit tests of `millpond::check::integrators::theory` check its closed forms.
+//! `millpond check integrators` reports more.
 use millpond::check::integrators::limits::{grows, measured};
 use millpond::check::integrators::orders::global;
 use millpond::check::integrators::{DAMPED, DAMPINGS, HARDENING, Scheme, area, theory};
 use millpond_core::backend::arithmetic::double::Double;
 use millpond_core::scene::Integrator;
 
-/// Of the study: 1 % of a limit, 0.1 of an order.
+/// Tolerances of the study: 1 % of a limit, 0.1 of an order.
 const LIMIT_OFF: f64 = 0.01;
 const ORDER_OFF: f64 = 0.1;
 
@@ -19,7 +20,7 @@ fn runs_grow_beyond_the_limit_of_theory_and_not_below() {
         for damping in DAMPINGS {
             let limit = theory::limit(scheme, damping);
             if limit == 0.0 {
-                continue; // see below
+                continue; // tested below
             }
             let name = format!("{} at zeta = {damping}", scheme.name());
             let found = [measured::<Double>(scheme, damping), measured::<f32>(scheme, damping)];
@@ -31,7 +32,7 @@ fn runs_grow_beyond_the_limit_of_theory_and_not_below() {
 
 #[test]
 fn the_limits_are_known_numbers() {
-    // undamped, and critically damped: Pirovano's five stiffnesses lie between these
+    // without damping, and with critical damping; Pirovano's five stiffnesses lie between these
     let known = [
         (Integrator::ModifiedVelocityVerlet, [2.0, 0.8284]),
         (Integrator::Euler, [0.0, 2.0]),
@@ -55,7 +56,7 @@ fn the_limits_are_known_numbers() {
 
 #[test]
 fn two_of_them_grow_at_small_steps_without_damping() {
-    // p^2 / 2, and p^4 / 24
+    // theory gives a growth per step of p^2 / 2 and of p^4 / 24, with p = omega dt
     for (integrator, power, share) in
         [(Integrator::Euler, 2, 0.5), (Integrator::PositionCorrectedBeeman, 4, 1.0 / 24.0)]
     {
@@ -70,7 +71,7 @@ fn two_of_them_grow_at_small_steps_without_damping() {
 
 #[test]
 fn on_the_limit_what_grows_in_proportion_to_time_counts_as_stable() {
-    // Pirovano's stiffest spring: a double root at -1
+    // Pirovano's stiffest spring has a double root at -1
     let scheme = Scheme::once(Integrator::SemiImplicitEuler);
     assert!(!grows::<Double>(scheme, 0.0, 2.0));
     assert!(grows::<Double>(scheme, 0.0, 2.001));

@@ -1,5 +1,6 @@
-//! Promise: a fluid saved as bytes goes on with the same bits as if it had never stopped, from the CPU to a device and back any number of
-//! times; what was changed between steps comes along; bytes of another length, version or scene are refused by name and change nothing.
+//! Promise: a fluid saved as bytes continues with the same bits as if it had never stopped, from the CPU to a device
+//! and back any number of times. Values changed between steps are restored too. Bytes of another length, version or
+//! scene are rejected with an error that names the cause, and change nothing.
 use millpond::compare::difference;
 use millpond::snapshot::Snapshot;
 use millpond_core::scene::{GridStructure, Scene};
@@ -9,7 +10,8 @@ use millpond_gpu::{Gpu, GpuSolver, Mode};
 mod support;
 use support::device;
 
-/// Scenes that remember much: an adaptive step, corrected pressure, springs that give way, air, two integrators with a history.
+/// Scenes with much state to save: an adaptive time step, corrected pressure, plastic springs, air, and two integrators
+/// with a history.
 const SCENES: &[&str] = &["stiff-tank", "corrected-column", "elastic-cube", "oil-and-water", "dam-break-2d"];
 
 fn scene(name: &str) -> Scene {
@@ -34,7 +36,7 @@ fn saved(solver: &Solver<'_>) -> Vec<u8> {
     bytes
 }
 
-/// Some steps from these bytes on, on the CPU or on a device.
+/// Restores these bytes, makes some steps on the CPU or on a device, and returns the new bytes.
 fn go_on(scene: &Scene, bytes: &[u8], gpu: Option<&Gpu>, steps: u32) -> Vec<u8> {
     let mut heap = memory(scene);
     let mut solver = Solver::new(scene, heap.lend()).expect("a scene");
@@ -74,7 +76,7 @@ fn what_was_changed_between_steps_comes_along() {
     solver.set_viscosity(0, 7.0).expect("a change");
     let mut other = Solver::new(&scene, second.lend()).expect("a scene");
     other.restore(&saved(&solver)).expect("bytes of this scene");
-    // and a change after that builds on what came along
+    // a later change builds on the restored values
     for solver in [&mut solver, &mut other] {
         (0..5).for_each(|_| solver.step(&Serial).expect("a step"));
         solver.set_speed_of_sound(0, 30.0).expect("a change");

@@ -13,10 +13,10 @@ pub enum Axis {
 }
 
 impl Axis {
-    /// All of them, in order.
+    /// All axes, in order.
     pub const ALL: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
-    /// The axis of a number: 0 is x, 1 is y, and all others are z.
+    /// The axis with this index: 0 is x, 1 is y, and all other indices are z.
     #[must_use]
     pub fn of(number: usize) -> Axis {
         match number {

@@ -1,6 +1,7 @@
-//! What the GPU backend, the program and the tests share with the solver: bytes, tables and formulas. It is no part of the
-//! public API, and may change in any version.
+//! Items that the GPU backend, the program and the tests share with the solver: memory layout, tables and formulas.
+//! This module is not part of the public API and may change in any version.
 
+pub use crate::advance::{Pace, Paced, advance, step_until};
 pub use crate::clock::SteadyTime;
 pub use crate::passes::g_finish::commit::verdict;
 pub use crate::passes::lists::ListReport;

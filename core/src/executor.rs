@@ -1,17 +1,17 @@
-//! Who does the work: the host's job system, or nobody else.
+//! Execution of passes: on the calling thread, or by the job system of your program.
 //!
-//! Passes are cut into jobs that write disjoint parts of their outputs. How many there are and who runs which never
-//! changes a bit.
+//! Passes are divided into jobs that write disjoint parts of their outputs. Neither the number of jobs nor the threads
+//! that run them change a bit of the result.
 use core::ops::Range;
 use heapless::Vec;
 
-/// Most jobs that a pass is cut into.
+/// Largest number of jobs per pass.
 pub const MOST_JOBS: usize = 64;
 
 /// The jobs of a pass.
 pub(crate) type Jobs<J> = Vec<J, MOST_JOBS>;
 
-/// Runs the jobs of a pass, side by side if it can. Implement it over your own threads.
+/// Runs the jobs of a pass, in parallel if it can. Implement it for your own threads.
 ///
 /// ```
 /// use millpond_core::Executor;
@@ -32,23 +32,23 @@ pub(crate) type Jobs<J> = Vec<J, MOST_JOBS>;
 /// }
 /// ```
 pub trait Executor {
-    /// How many jobs may run at once.
+    /// Number of jobs that can run at once.
     fn width(&self) -> usize;
 
-    /// Does `work` once for each of `jobs`, in any order, and returns when all are done. Optimised, a job takes some 40
-    /// KB of stack: the candidates of a cell, and the neighbours of four particles.
+    /// Calls `work` once for each of `jobs`, in any order, and returns when all are done. In optimised builds a job
+    /// needs about 40 KB of stack, for the candidates of a cell and the neighbours of four particles.
     fn run<J: Send>(&self, jobs: &mut [J], work: impl Fn(&mut J) + Sync);
 
-    /// Does `step`, which is a whole time step: it calls [`Executor::run`] for each pass that is cut into jobs, and does the
-    /// rest itself, on as much stack as a job takes. The default does it
-    /// on the calling thread. Where handing jobs to a pool from outside costs more than from one of its own threads, do
-    /// it on one of those: a step then enters the pool once, and not in every pass.
+    /// Runs `step`, which is a whole time step: it calls [`Executor::run`] for each pass that is divided into jobs, and
+    /// does everything else itself, on as much stack as a job needs. The default runs it on the calling thread. If
+    /// submitting jobs to a thread pool costs more from outside than from one of its own threads, run `step` on one of
+    /// those: a step then enters the pool once, and not in every pass.
     fn enter<T: Send>(&self, step: impl FnOnce(&Self) -> T + Send) -> T {
         step(self)
     }
 }
 
-/// One job after the other, on the calling thread.
+/// Runs one job after the other on the calling thread.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Serial;
 
@@ -62,7 +62,8 @@ impl Executor for Serial {
     }
 }
 
-/// Jobs to cut a pass into: a few for each that can run at once, so that none waits long for the slowest.
+/// Number of jobs into which a pass is divided: a few for each that can run at once, so that little time is spent
+/// waiting for the slowest.
 pub(crate) fn parts(executor: &impl Executor) -> usize {
     match executor.width() {
         0 | 1 => 1,
@@ -70,17 +71,17 @@ pub(crate) fn parts(executor: &impl Executor) -> usize {
     }
 }
 
-/// Cuts `0..count` into `parts` runs of about the same length.
+/// Divides `0..count` into `parts` ranges of about the same length.
 pub(crate) fn shares(count: usize, parts: usize) -> impl Iterator<Item = Range<usize>> {
     (0..parts).map(move |i| share_of(count, i, parts)..share_of(count, i + 1, parts))
 }
 
-/// `whole * part / parts`, in numbers wide enough on every target.
+/// `whole * part / parts`, computed in 64 bits on every target.
 pub(crate) fn share_of(whole: usize, part: usize, parts: usize) -> usize {
     (whole as u64 * part as u64 / parts as u64) as usize
 }
 
-/// The first `count` items of what is left to hand out; empty where there are not so many, which no caller asks for.
+/// Splits off the first `count` items of the rest of a slice; empty if there are fewer items, which no caller asks for.
 #[expect(clippy::mut_mut, reason = "what is left is handed on, shorter")]
 pub(crate) fn take<'a, T>(rest: &mut &'a mut [T], count: usize) -> &'a mut [T] {
     rest.split_off_mut(..count).unwrap_or_default()

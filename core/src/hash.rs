@@ -1,7 +1,7 @@
-//! The state hash, and sums over a whole fluid: both in the order of the ids, so that no slot can change them.
+//! The state hash, and sums over a whole fluid. Both go in order of ids, so that slots do not change them.
 use crate::layout::{f32x4, u32x2};
 
-/// FNV-1a, 64 bits, over little-endian bytes.
+/// The FNV-1a hash with 64 bits, over little-endian bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct Fnv(pub u64);
 
@@ -22,7 +22,8 @@ impl Fnv {
     }
 }
 
-/// Hash of the positions and velocities, xyz each, particle after particle; `slot` is the slot of each id.
+/// Hash of the positions and velocities, xyz each, particle after particle in order of ids; `slot` is the slot of each
+/// id.
 #[must_use]
 pub fn state_hash(slot: &[u32], position: &[f32x4], velocity: &[f32x4]) -> u64 {
     let words = slot.iter().flat_map(|&s| {
@@ -33,8 +34,8 @@ pub fn state_hash(slot: &[u32], position: &[f32x4], velocity: &[f32x4]) -> u64 {
     words.fold(Fnv::default(), Fnv::word).0
 }
 
-/// Hash of every array of a state, all four numbers of each entry: the entries of a particle in the order of the ids, array after
-/// array, then the ends of springs. Arrays that a scene does without add nothing.
+/// Hash of every array of a state, all four numbers of each entry: array after array, the entries of particles in order
+/// of ids, then the spring ends. Unused arrays add nothing.
 #[must_use]
 pub fn full_state_hash(slot: &[u32], arrays: &[&[f32x4]], spring_ends: &[u32x2]) -> u64 {
     let of_particles = arrays.iter().flat_map(|array| slot.iter().filter_map(|&s| array.get(s as usize)).flatten());
@@ -42,7 +43,8 @@ pub fn full_state_hash(slot: &[u32], arrays: &[&[f32x4]], spring_ends: &[u32x2])
     words.fold(Fnv::default(), Fnv::word).0
 }
 
-/// Sum of `term(0) .. term(count - 1)` by halves: one fixed tree, whoever computes it, and a small rounding error.
+/// Sum of `term(0) .. term(count - 1)` by recursive halving. The tree of additions is fixed, so the sum is the same
+/// wherever it is computed, and the rounding error is small.
 pub fn tree_sum(count: usize, term: &impl Fn(usize) -> f64) -> f64 {
     fn of(from: usize, to: usize, term: &impl Fn(usize) -> f64) -> f64 {
         match to - from {

@@ -28,6 +28,7 @@ extern crate alloc;
 #[cfg(test)]
 extern crate std;
 
+mod advance;
 mod arithmetic;
 mod axis;
 #[doc(hidden)]
@@ -59,6 +60,7 @@ mod validate;
 pub use glam;
 pub use heapless;
 
+pub use advance::Advance;
 pub use arithmetic::level::Simd;
 pub use axis::Axis;
 pub use clock::TimeReport;

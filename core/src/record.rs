@@ -1,4 +1,4 @@
-//! What a solver goes on from beside its arrays, and what tells one scene's bytes from another's.
+//! What a solver needs besides its arrays to continue, and the fingerprint that identifies the scene of saved bytes.
 use crate::clock::SteadyTime;
 use crate::hash::Fnv;
 use crate::layout::{Materials, Model, Parameters, Status};
@@ -6,43 +6,44 @@ use crate::live::{LiveScene, LiveValues};
 use crate::memory::{Counts, Requirements};
 use crate::plan::Plan;
 
-/// What the pressure correction came to.
+/// Result of the pressure correction.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CorrectionReport {
-    /// Iterations of the last step.
+    /// Iterations in the last step.
     pub iterations: u32,
-    /// Iterations of all steps.
+    /// Iterations in all steps.
     pub total_iterations: u64,
-    /// Largest density miss that the last step was left with, over the rest density.
+    /// Largest density error left at the end of the last step, over the rest density.
     pub residual: f32,
 }
 
-/// What a solver goes on from beside its arrays.
+/// What a solver needs besides its arrays to continue.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Record {
-    /// Steps that were made.
+    /// Number of steps made.
     pub steps: u64,
-    /// How simulated time follows from them, where they are all alike.
+    /// Simulated time in scenes with a constant time step.
     pub steady: SteadyTime,
-    /// The clock: its two numbers, the last step and what it should have been, s.
+    /// The clock: simulated time, its rounding error, the last time step, and the largest time step that the criteria
+    /// allowed, s.
     pub clock: [f32; 4],
-    /// The next step, s.
+    /// The next time step, s.
     pub time_step: f32,
-    /// Steps made again, and steps that should have been shorter than the shortest.
+    /// Number of rejected steps, and of steps that should have been shorter than the shortest time step allowed.
     pub counts: [u32; 2],
-    /// What the pressure correction came to.
+    /// Result of the pressure correction.
     pub correction: CorrectionReport,
-    /// Requests for air that found no particle.
+    /// Number of spawn requests for which no inactive particle was left.
     pub air_refused: u64,
-    /// What may have been changed between steps.
+    /// The values that may be changed between steps.
     pub live: LiveValues,
 }
 
 impl Record {
-    /// Words of a record.
+    /// Number of words in a record.
     pub const WORDS: usize = 19 + LiveValues::WORDS;
 
-    /// Of what a device's status says, with what its host knows.
+    /// The record of a GPU solver: from its status, and from values that the host program keeps.
     #[must_use]
     pub fn of_status(status: &Status, steady: SteadyTime, time_step: f32, live: &LiveScene) -> Record {
         Record {
@@ -93,9 +94,9 @@ impl Record {
     }
 }
 
-/// What tells one scene's bytes from another's: its model, its constants at creation, how many there are of everything, and how often
-/// pressure is iterated. Where particles are looked up is left out: it changes no bit, but with the half stencil, whose order
-/// follows from the number of cells.
+/// Fingerprint that identifies the scene of saved bytes: a hash of its model, its constants at creation, its counts,
+/// and the largest number of pressure iterations. The grid is left out, because it does not change a bit of the result.
+/// With the half stencil the number of cells is included, since the order of its sums depends on it.
 #[must_use]
 pub(crate) fn fingerprint(
     plan: &Plan,

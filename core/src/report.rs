@@ -1,4 +1,4 @@
-//! What can be said of a fluid as a whole. Nothing here is part of a step.
+//! Reports on a fluid as a whole. Nothing here is part of a step.
 use crate::arithmetic::real::vec3;
 use crate::grid::{Cells, Stencil, cell_of, is_limbo};
 use crate::hash::tree_sum;
@@ -14,55 +14,58 @@ use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use crate::terms::support::support_close;
 use crate::terms::time_step::{bounded_sound, bounded_square};
 
-/// How far the fluid is compressed beyond its rest density, as a share of it.
+/// Compression of the fluid beyond its rest density, relative to the rest density.
 ///
-/// Only compression counts: at a free surface half of the neighbours are missing, so the summed density there is low
-/// whatever the fluid does.
+/// Only compression counts. At a free surface half of the neighbours are missing, so the summed density is low there in
+/// any case.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DensityError {
     /// Mean of `max(rho / rho0 - 1, 0)`.
     pub mean: f64,
-    /// The largest.
+    /// Largest value.
     pub max: f64,
 }
 
-/// Energies of the fluid, J (per metre of depth in 2D); walls, and air that is not there, have none.
+/// Energies of the fluid, J (per metre of depth in 2D). Wall particles and inactive air particles do not count.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energies {
-    /// Of motion.
+    /// Kinetic energy.
     pub kinetic: f64,
-    /// Thermal; 0 where a scene keeps no account of it.
+    /// Internal energy; 0 in scenes that do not track it.
     pub internal: f64,
-    /// In the field of gravity, from the origin; ambient buoyancy counted by the rest densities.
+    /// Potential energy in the field of gravity, relative to the origin; the buoyancy of the ambient medium is computed
+    /// with rest densities.
     pub potential: f64,
-    /// In springs.
+    /// Energy of the springs.
     pub elastic: f64,
 }
 
-/// How far things come in a step: what [`AdaptiveTimeStep`](crate::scene::AdaptiveTimeStep) limits, on the support radius H.
+/// Courant numbers of a step, with the support radius H: the quantities limited by
+/// [`AdaptiveTimeStep`](crate::scene::AdaptiveTimeStep).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Courant {
-    /// `v dt / H` of the fastest particle (Pirovano eq. 2.41; Hinsch 2024, section 6.6.2).
+    /// `v dt / H`, with v the largest speed (Pirovano, eq. 2.41; Hinsch 2024, section 6.6.2).
     pub speed: f64,
-    /// `dt sqrt(a / H)` of the one that is accelerated most.
+    /// `dt sqrt(a / H)`, with a the largest acceleration.
     pub acceleration: f64,
-    /// `c dt / H`, c being the largest speed of sound; 0 where pressure is corrected.
+    /// `c dt / H`, with c the largest speed of sound; 0 with pressure correction.
     pub sound: f64,
-    /// `nu dt / H^2`, nu being the largest kinematic viscosity.
+    /// `nu dt / H^2`, with nu the largest kinematic viscosity.
     pub viscosity: f64,
 }
 
-/// What became of the coat of air.
+/// State of the air layer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct AirReport {
-    /// Its particles that are there.
+    /// Number of active air particles.
     pub alive: u32,
-    /// Births, in all steps, for which `air.capacity` left no particle. A bare surface asks again at each step.
+    /// Spawn requests in all steps for which `air.capacity` left no particle. An exposed particle repeats its request
+    /// in each step.
     pub refused: u64,
 }
 
 impl Solver<'_> {
-    /// What became of the coat of air; all zero where a scene has none.
+    /// State of the air layer; all zero in scenes without air.
     #[must_use]
     pub fn air(&self) -> AirReport {
         if self.plan().model.has_air == 0 {
@@ -74,7 +77,7 @@ impl Solver<'_> {
         AirReport { alive, refused: self.air_refused }
     }
 
-    /// Courant numbers of a step of so many seconds that led to this state.
+    /// Courant numbers of a step of `time_step` seconds that led to this state.
     #[must_use]
     pub fn courant(&self, time_step: f32) -> Courant {
         let (state, p, m) = (self.state(), self.parameters(), &self.plan().model);
@@ -95,7 +98,7 @@ impl Solver<'_> {
         }
     }
 
-    /// Compression of the fluid.
+    /// Mean and largest compression of the fluid.
     #[must_use]
     pub fn density_error(&self) -> DensityError {
         let (slots, state) = (self.slots(), &self.state());
@@ -110,7 +113,7 @@ impl Solver<'_> {
         }
     }
 
-    /// Energies of the fluid, summed in order of the ids.
+    /// Energies of the fluid, summed in order of ids.
     #[must_use]
     pub fn energies(&self) -> Energies {
         let (slots, state, p) = (self.slots(), self.state(), self.parameters());
@@ -133,13 +136,14 @@ impl Solver<'_> {
         }
     }
 
-    /// Calls `visit` with the ids of every pair inside each other's support, each pair in both directions and every
-    /// particle with itself, in the order in which the next step would sum them with the full stencil, where it did not move anything.
+    /// Calls `visit` with the ids of all pairs inside each other's support, each pair in both directions and each
+    /// particle with itself. The order is that in which the next step would sum the pairs with the full stencil if the
+    /// particles did not move.
     pub fn each_pair(&mut self, mut visit: impl FnMut(u32, u32)) {
         self.visit_pairs(|solver, a, b| visit(solver.state().id[a], solver.state().id[b]));
     }
 
-    /// The same, of slots.
+    /// Calls `visit` with the slots of all pairs, as [`Solver::each_pair`] does with their ids.
     pub(crate) fn visit_pairs(&mut self, mut visit: impl FnMut(&Solver<'_>, usize, usize)) {
         let (p, m) = (*self.parameters(), self.plan().model);
         let layers = m.is_3d as i32;
@@ -169,7 +173,7 @@ impl Solver<'_> {
         }
     }
 
-    /// Mean number of particles inside the support radius of a particle of the fluid, itself counted.
+    /// Mean number of particles inside the support radius of a fluid particle, including the particle itself.
     #[must_use]
     pub fn average_neighbours(&mut self) -> f64 {
         let fluid = (0..self.slots().len()).filter(|&slot| !self.is_wall(slot)).count();
@@ -178,7 +182,8 @@ impl Solver<'_> {
         pairs as f64 / fluid.max(1) as f64
     }
 
-    /// Pairs whose distance a step of the full stencil looks at: each particle with all in its own cell and the cells around it.
+    /// Number of pairs whose distance a step with the full stencil computes: each particle with all particles in its
+    /// own cell and the cells around it.
     #[must_use]
     pub fn tested_pairs(&mut self) -> u64 {
         let (p, m) = (*self.parameters(), self.plan().model);
@@ -193,8 +198,9 @@ impl Solver<'_> {
         full.map(tested).sum()
     }
 
-    /// How full the neighbour lists of the last step are. None after a step that failed, and once a report has sorted the
-    /// particles in the memory of the lists: ask for this one first.
+    /// How full the neighbour lists of the last step are. `None` with the half stencil, after a failed step, and after
+    /// a report that sorts the particles, since that overwrites the memory of the lists: call this function before such
+    /// reports.
     #[must_use]
     pub fn lists(&self) -> Option<ListReport> {
         let Arrays { scratch, list_words, .. } = &self.memory;
@@ -202,7 +208,7 @@ impl Solver<'_> {
         self.has_lists.then(|| Lists::new(&scratch.neighbours[..*list_words], particles).report(particles))
     }
 
-    /// Particles of the fullest cell: cell lists with fewer places would refuse this state.
+    /// Number of particles in the fullest cell. Cell lists with fewer places would make this state fail.
     #[must_use]
     pub fn fullest_cell(&mut self) -> u32 {
         let (m, p) = (self.plan().model, *self.parameters());
@@ -211,8 +217,8 @@ impl Solver<'_> {
         counts.filter(|&(cell, _)| !is_limbo(&m, &p, cell)).map(|(_, &count)| count).max().unwrap_or(0)
     }
 
-    /// Slots by cell and id, into `source_slot`. Walls move particles after a step has sorted them, and a failed step leaves
-    /// the cells of its attempt behind.
+    /// Writes the slots, sorted by cell and id, to `source_slot`. This is needed because penalty planes move particles
+    /// after a step has sorted them, and because a failed step leaves the cells of its attempt behind.
     fn sort_again(&mut self) {
         self.has_lists = false;
         let (m, p) = (self.plan().model, *self.parameters());
@@ -225,7 +231,8 @@ impl Solver<'_> {
                 *cell = p.cells[3] - 1;
                 continue;
             }
-            // one that a wall put beyond the range, where the next step refuses it, shows up in cell 0, near nobody
+            // a particle that a penalty plane moved beyond the range, which the next step reports, is put in cell 0,
+            // where the distance test finds no neighbours of it
             *cell = cell_of(&p, *x).unwrap_or(0);
         }
         count(cells, rank, scratch.grid_cell_counters);

@@ -1,8 +1,8 @@
-//! A fluid as bytes, and back: every array of the state and what else the next step goes on from. Going on from there gives the same bits
-//! as never having stopped, on either backend.
+//! Saves a fluid as bytes and restores it: every array of the state, and everything else that the next step depends on.
+//! Continuing from the bytes gives the same bits as never having stopped, on either backend.
 //!
-//! The bytes are words of four, little-endian: a head, the [`Record`], then the arrays in the order of the table, the entries
-//! of particles in the order of their ids, so that neither slots nor backend nor grid change a byte.
+//! The bytes are little-endian words of four bytes: a head, the [`Record`], then the arrays in the order of the table.
+//! The entries of particles are in order of ids, so that slots, backend and grid do not change a byte.
 use crate::clock::Clock;
 use crate::error::RestoreError;
 use crate::hash::Fnv;
@@ -14,16 +14,17 @@ use crate::solver::Solver;
 /// First word: `MPND`.
 const MAGIC: u32 = u32::from_le_bytes(*b"MPND");
 
-/// Version of the bytes. It changes with whatever is written.
+/// Version of the format. It is incremented whenever the format changes.
 pub const VERSION: u32 = 2;
 
-/// Words before the record: magic, version, the fingerprint of the scene, and the hash of all that follows.
+/// Words before the record: magic number, version, fingerprint of the scene, and hash of everything after the head.
 const HEAD_WORDS: usize = 6;
 
 /// Bytes of the head.
 const HEAD: usize = HEAD_WORDS * size_of::<u32>();
 
-/// The arrays that are saved: those of the state, and what the host or the start has given but for what follows from the scene.
+/// The arrays that are saved: those of the state, and those that were set at the start or by the caller and cannot be
+/// computed from the scene.
 fn saved(requirements: &Requirements) -> impl Iterator<Item = Array> + use<> {
     let model = *requirements.model();
     let is_saved = |array: &Array| match array.class() {
@@ -34,17 +35,18 @@ fn saved(requirements: &Requirements) -> impl Iterator<Item = Array> + use<> {
     Array::ALL.iter().copied().filter(move |array| is_saved(array) && array.exists(&model))
 }
 
-/// Bytes of a fluid with these requirements.
+/// Number of bytes of a saved fluid with these requirements.
 #[must_use]
 pub fn saved_bytes(requirements: &Requirements) -> usize {
     let words: usize = saved(requirements).map(|array| requirements.entries(array) * array.words()).sum();
     (HEAD_WORDS + Record::WORDS + words) * size_of::<u32>()
 }
 
-/// Writes a fluid whose arrays are given by `words`, and whose particles lie in these slots. Used by both backends.
+/// Writes a fluid to `out`. `words` returns the contents of an array, and `slots` is the slot of each particle by id.
+/// Both backends use this function.
 ///
 /// # Errors
-/// A buffer of another length than [`saved_bytes`].
+/// [`RestoreError::WrongLength`] if the length of `out` is not [`saved_bytes`].
 pub fn write<'a>(
     (requirements, fingerprint): (&Requirements, u64),
     record: &Record,
@@ -86,37 +88,40 @@ fn words_of(bytes: &[u8]) -> impl Iterator<Item = u32> {
     bytes.chunks_exact(4).map(|bytes| u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]))
 }
 
-/// What tells damaged bytes.
+/// Hash that detects damaged bytes.
 fn hash_of(body: &[u8]) -> u64 {
     words_of(body).fold(Fnv::default(), Fnv::word).0
 }
 
-/// Do the entries of an array lie in the slots of the particles? Else they stand by id, or are no particles'.
+/// Returns whether the entries of an array are in the slots of the particles. Otherwise they are in order of ids, or do
+/// not belong to particles.
 fn by_slot(array: Array) -> bool {
     array.class() == Class::State && array.unit() == Unit::Particle
 }
 
 impl Solver<'_> {
-    /// Bytes that [`Solver::save`] writes.
+    /// Number of bytes that [`Solver::save`] writes.
     #[must_use]
     pub fn saved_bytes(&self) -> usize {
         saved_bytes(self.requirements())
     }
 
-    /// Writes the fluid as bytes: going on from them, by [`Solver::restore`] of a solver of the same scene, gives the same bits as never
-    /// having stopped. The bytes are the same on both backends, whatever the grid's structure, threads and lanes were.
+    /// Writes the fluid as bytes. Continuing from them, by [`Solver::restore`] of a solver of the same scene, gives the
+    /// same bits as never having stopped. The bytes are the same on both backends, and do not depend on the structure
+    /// of the grid, the number of threads or the width of SIMD lanes.
     ///
     /// # Errors
-    /// A buffer of another length than [`Solver::saved_bytes`].
+    /// [`RestoreError::WrongLength`] if the length of `out` is not [`Solver::saved_bytes`].
     pub fn save(&self, out: &mut [u8]) -> Result<(), RestoreError> {
         let key = (self.requirements(), self.fingerprint());
         write(key, &self.record(), self.slots(), |array| self.words(array), out)
     }
 
-    /// Goes on from the bytes of [`Solver::save`], or of a device.
+    /// Continues from the bytes of [`Solver::save`], or from those saved on a GPU.
     ///
     /// # Errors
-    /// Bytes of another length, another version or another scene, or damaged ones; the fluid then is as it was.
+    /// If the bytes were not written by a solver, are of another version, of another scene or of another length, are
+    /// damaged, or hold values that the scene does not allow. In these cases the fluid stays as it was.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
         let (given, expected) = (bytes.len(), self.saved_bytes());
         let mut words = words_of(bytes);
@@ -146,7 +151,7 @@ impl Solver<'_> {
             let place = self.words_mut(array);
             place.iter_mut().zip(&mut words).for_each(|(place, word)| *place = word);
         }
-        // particles now lie in the order of their ids; the next step sorts them
+        // particles are now in order of their ids; the next step sorts them
         self.lie_by_id();
         Ok(())
     }

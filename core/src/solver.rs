@@ -1,6 +1,6 @@
 //! The public face: a scene in lent memory, stepped.
 use crate::arithmetic::level::Simd;
-use crate::clock::{Clock, SteadyTime, TimeReport};
+use crate::clock::{Clock, SteadyTime, TimeReport, set_step};
 use crate::derive::kernel_tables::fill_tables;
 use crate::error::{SceneError, StepError};
 use crate::executor::Executor;
@@ -54,6 +54,8 @@ pub struct Solver<'m> {
     pub(crate) steps: u64,
     correction: CorrectionReport,
     pub(crate) air_refused: u64,
+    /// Up to when [`Solver::advance`] was asked for steps, s.
+    pub(crate) due: f64,
     /// Which of the two states is the fluid; the other is where a step is tried.
     pub(crate) current: usize,
     /// Are the neighbour lists of the last step still in memory?
@@ -106,6 +108,7 @@ impl<'m> Solver<'m> {
             steps: 0,
             correction: CorrectionReport::default(),
             air_refused: 0,
+            due: 0.0,
             current: 0,
             has_lists: false,
             fingerprint: fingerprint(&plan, &constants.parameters, &constants.materials, &requirements),
@@ -328,6 +331,18 @@ impl<'m> Solver<'m> {
     #[must_use]
     pub fn time_report(&self) -> TimeReport {
         TimeReport { time: self.time(), ..self.clock.report(&self.constants.step) }
+    }
+
+    /// Up to when [`Solver::advance`] was asked for steps, s.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn due(&self) -> f64 {
+        self.due
+    }
+
+    /// Sets the length of the next step, s, where lengths follow from the state.
+    pub(crate) fn set_next_step(&mut self, step: f32) {
+        set_step(&mut self.constants.step, step);
     }
 
     /// Writes what a device's clock goes on from.

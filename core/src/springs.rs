@@ -1,4 +1,4 @@
-//! The springs of a solver: made at its start, and looked at from outside.
+//! The springs of a solver: made at its start, and read by the caller.
 use crate::arithmetic::real::vec3;
 use crate::derive::bonds::{Bonds, End, join};
 use crate::error::SceneError;
@@ -15,14 +15,14 @@ use crate::validate::Checked;
 pub struct Spring {
     /// Id of the particle at one end, the smaller one.
     pub a: u32,
-    /// At the other.
+    /// Id of the particle at the other end.
     pub b: u32,
-    /// Length at rest, m.
+    /// Rest length, m.
     pub rest_length: f32,
 }
 
 impl Solver<'_> {
-    /// Joins the particles of each elastic fluid that are within reach of each other.
+    /// Makes springs between those particles of each elastic fluid that are within reach of each other.
     pub(crate) fn join(&mut self, checked: &Checked<'_>) -> Result<(), SceneError> {
         if self.plan().model.has_springs == 0 {
             return Ok(());
@@ -49,12 +49,12 @@ impl Solver<'_> {
         Ok(())
     }
 
-    /// The particle in a slot, as springs see it.
+    /// Position and material constants of the particle in a slot, as needed to make springs.
     fn end(&self, slot: usize) -> End {
         (self.state().position[slot], self.properties_of(slot))
     }
 
-    /// The springs that hold, each once.
+    /// The springs that are not broken, each once.
     pub fn springs(&self) -> impl Iterator<Item = Spring> {
         (0..).zip(self.memory.given.spring_ranges.iter()).flat_map(move |(a, &[first, count, ..])| {
             let ends = &self.spring_ends()[first as usize..(first + count) as usize];
@@ -74,8 +74,9 @@ impl Solver<'_> {
     }
 }
 
-/// Energy of springs, J (per metre of depth in 2D), where `particle` has the position of each particle by id, its mass in w, and the
-/// rest density of its fluid over the first one's. A spring is as stiff as half of `k`: `k / 4 (r - L0)^2` (Pirovano eq. 2.26, corrected).
+/// Energy of springs, J (per metre of depth in 2D). `particle` returns, by id, the position of a particle with its mass
+/// in w, and the rest density of its fluid over that of the first fluid. The stiffness of a spring is half of `k`, so
+/// its energy is `k / 4 (r - L0)^2` (Pirovano, eq. 2.26, corrected).
 pub fn energy(
     plan: &Plan,
     p: &Parameters,
@@ -84,7 +85,7 @@ pub fn energy(
 ) -> f64 {
     let spring = |a: u32, [first, count, pull, _]: u32x4| {
         let (x_a, rest) = particle(a);
-        // what an end pulls with for each metre, as a force
+        // force at an end per metre of elongation
         let mass = f64::from(p.particle_mass) * f64::from(rest) * f64::from(x_a[3]);
         let half_stiffness = f64::from(f32::from_bits(pull)) * mass;
         let first = first as usize;

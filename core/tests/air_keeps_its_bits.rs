@@ -1,8 +1,9 @@
-//! Promise: a coat of air is made around what is bare, no two of its particles too near each other, and goes where it has lost
-//! the liquid; births for which none is left are counted. All this has the same bits on the scalar path, in lanes, on two and
-//! three threads and with every term left in. A scene without air has no bytes for it.
+//! Promise: a layer of air forms around exposed liquid, with no two of its particles too close to each other, and air
+//! particles that have lost the liquid become inactive. Spawn requests that find no inactive air particle are counted.
+//! All this has the same bits on the scalar path, in SIMD lanes, on two threads and with every term left in. A scene
+//! without air uses no memory for it.
 //!
-//! That a device makes the same air is for `gpu/tests/air_is_the_same.rs`.
+//! `gpu/tests/air_is_the_same.rs` checks that a device creates the same air.
 use millpond_core::scene::{Dimension, InitialParticle, Scene};
 use millpond_core::{
     AirReport, Array, OwnedMemory, Particle, Pass, Plan, Requirements, SceneError, Serial, Simd, Solver,
@@ -12,7 +13,7 @@ mod support;
 use support::air::{SPACING, both, drop, scenes};
 use support::{Threads, Words, checked};
 
-/// The particles of the coat that are there.
+/// Returns the active particles of the layer of air.
 fn coat(solver: &Solver<'_>) -> Vec<Particle> {
     solver.particles().filter(|particle| particle.fluid == 1 && !particle.inactive && !particle.wall).collect()
 }
@@ -26,7 +27,7 @@ fn a_bare_drop_is_coated_and_stays_so() {
         let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
         assert_eq!(solver.air(), AirReport { alive: 0, refused: 0 }, "none at the start, when time stands still");
         solver.step(&Serial).expect("a step");
-        // the first step sees one place a face particle, and fewer where faces meet
+        // in the first step each particle of a face requests one air particle; where faces meet there are fewer
         let face = if scene.dimension == Dimension::Two { 4 * 6 } else { 6 * 36 };
         let first = solver.air();
         println!("{:?}: {first:?}", scene.dimension);
@@ -73,11 +74,11 @@ fn air_without_liquid_vanishes() {
         assert_eq!(solver.air().alive, 1);
         solver.step(&Serial).expect("a step");
         assert!(solver.particles().nth(lost).is_some_and(|particle| particle.inactive), "it is gone");
-        // its number is free again from the next step on: everybody else comes before it only where they were not there
+        // its id is available again only from the next step on, so the particles that are spawned in this step skip it
         let ids: Vec<u32> = coat(&solver).iter().map(|particle| particle.id).collect();
         assert!(ids.iter().all(|&id| id as usize != lost) && ids.contains(&(lost as u32 + 1)));
 
-        // the coat's numbers are the coat's
+        // an id that is reserved for air must belong to an air particle
         all[lost].material = 0;
         let refused = Solver::with_particles(&scene, plan, count, all, heap.lend()).err();
         assert_eq!(refused, Some(SceneError::UnplannedParticle { particle: lost as u32 }));
@@ -152,7 +153,7 @@ fn the_same_bits_everywhere() {
             }
             assert_eq!(by_everything(&scene), want.2, "{what}: with every term left in");
         }
-        // of that which vanishes none may be there just now
+        // in the scene whose air vanishes, there may be no active air particle at the end
         assert!(with_air + 1 >= scenes(&base).len(), "no air tests nothing");
     }
 }

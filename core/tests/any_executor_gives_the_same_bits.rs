@@ -1,9 +1,9 @@
-//! Promise: who runs which job, in which order and on which thread, never changes a bit, nor which refusal is told, whatever width an
+//! Promise: which job runs when and on which thread never changes a bit, nor which error is returned, whatever width an
 //! executor reports.
 //!
-//! Every executor here does what [`Executor`] allows and nobody sane would do. Each steps the golden scenes, which have pairs,
-//! springs, walls, air, cell lists and a pressure that is iterated for, and the hash of all state is held against [`Serial`]'s
-//! after every step.
+//! The executors here do what [`Executor`] allows but no sensible executor would do. Each steps the golden scenes,
+//! which have pairs, springs, walls, air, cell lists and iterated pressure, and after every step the hash of all state
+//! is compared with that of [`Serial`].
 use millpond_core::scene::{GridStructure, Scene};
 use millpond_core::{Executor, OwnedMemory, Serial, Solver, StepError};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -19,7 +19,7 @@ macro_rules! golden {
     };
 }
 
-/// The golden scenes, parsed.
+/// Returns the golden scenes, parsed.
 fn scenes() -> Vec<(&'static str, Scene)> {
     let all = golden![
         "everything",
@@ -37,26 +37,26 @@ fn scenes() -> Vec<(&'static str, Scene)> {
     all.into_iter().map(|(name, text)| (name, ron::from_str(text).expect("a scene in RON"))).collect()
 }
 
-/// What an executor does with its jobs.
+/// Order in which an executor runs its jobs.
 #[derive(Clone, Copy, Debug)]
 enum Order {
-    /// The first one first.
+    /// The first job first.
     Forwards,
-    /// The last one first.
+    /// The last job first.
     Backwards,
-    /// In an order that is another one for each pass.
+    /// In a different order for each pass.
     Shuffled,
-    /// Each on a thread of its own, all at once.
+    /// Each job on a thread of its own, all at once.
     Threads,
 }
 
-/// Runs jobs in an order and says that it has a width.
+/// Runs jobs in a given order, and reports a given width.
 struct Odd {
     order: Order,
     width: usize,
-    /// Passes so far.
+    /// Number of passes so far.
     passes: AtomicUsize,
-    /// The most jobs that a pass had.
+    /// Largest number of jobs in a pass.
     most: AtomicUsize,
 }
 
@@ -92,7 +92,8 @@ impl Executor for Odd {
     }
 }
 
-/// Executors, each with the jobs that its widest pass must have at least: less would test nothing.
+/// Returns executors, each with the smallest number of jobs that its widest pass must have. With fewer jobs it would
+/// test nothing.
 fn executors() -> Vec<(Odd, usize)> {
     vec![
         (Odd::new(Order::Forwards, 0), 1),
@@ -108,7 +109,7 @@ fn executors() -> Vec<(Odd, usize)> {
     ]
 }
 
-/// The hash of all state at the start and after each step, and what stopped it.
+/// Returns the hash of all state at the start and after each step, and the error that stopped the run.
 fn hashes(scene: &Scene, executor: &impl Executor, steps: u32) -> (Vec<u64>, Option<StepError>) {
     let mut memory = OwnedMemory::of(&scene.check().expect("a scene"));
     let mut solver = Solver::new(scene, memory.lend()).expect("a scene");
@@ -141,8 +142,8 @@ fn in_every_golden_scene() {
 
 #[test]
 fn when_a_step_is_refused() {
-    // so stiff that hundreds fly out of the grid's range at once, and cells that fill up: whoever is looked at first, the
-    // same one is told
+    // the first fluid is so stiff that hundreds of particles leave the grid's range at once, and in the second scene
+    // cells fill up: whichever job runs first, the same error must be returned
     let mut stiff = dam_break_2d(0.5);
     stiff.fluids[0].speed_of_sound = 1e12;
     let mut crowded = falling::impact();

@@ -1,6 +1,6 @@
-//! Promise: any scene, whatever numbers stand in it, is refused in words or accepted, and never panics; what was accepted says
-//! how much memory it needs. A call with the wrong number of entries says so. (That a refusal names the field is for
-//! `tests/extremes_end_well.rs`.)
+//! Promise: any scene, with any numbers in it, is either rejected with an error message or accepted, and the check
+//! never panics. An accepted scene reports how much memory it needs. A call with the wrong number of items returns an
+//! error that says so. (`tests/extremes_end_well.rs` tests that the errors name the fields.)
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     AccelerationField, Air, Block, Container, Dimension, Elasticity, Fluid, Grid, Periodic, Scene, SupportRange, Wall,
@@ -8,12 +8,12 @@ use millpond_core::scene::{
 };
 use millpond_core::{Axis, Plan, Requirements, SceneError, Solver, StepError, Storage};
 
-/// Numbers that nobody should ask for.
+/// Invalid and extreme numbers.
 const HOSTILE: [f32; 10] = [f32::NAN, f32::INFINITY, f32::MIN, f32::MAX, -1.0, 0.0, 1e-45, 1e-38, 1e9, 1e30];
 
 type Change = fn(&mut Scene, f32);
 
-/// Every number that a length, a count or a loop follows from.
+/// Changes of every number from which a length, a count or a number of iterations is derived.
 const CHANGES: [Change; 18] = [
     |s, x| s.particle_spacing = x,
     |s, x| s.average_neighbours = x,
@@ -50,7 +50,7 @@ fn scene(dimension: Dimension) -> Scene {
     scene
 }
 
-/// The error's words, or the memory needed.
+/// Returns the memory that the scene needs, in bytes, or the error message.
 fn judged(scene: &Scene) -> Result<usize, String> {
     let checked = scene.check().map_err(|error| error.to_string())?;
     let everything = Requirements::by_plan(&checked, &Plan::everything(&checked)).bytes();
@@ -83,12 +83,16 @@ fn errors_say_what_is_wrong() {
     let scene = scene.check().expect("a scene");
     let mut storage: Box<Storage<100, 64>> = Storage::boxed();
     let nobody = Solver::with_particles(&scene, Plan::of(&scene), 2, [], storage.lend()).err();
-    // springs come with memory of their own, which a bare storage has not
+    // springs need an arena, which a storage alone does not have
     assert!(matches!(nobody, Some(SceneError::CapacityExceeded { .. })), "{nobody:?}");
     let error = SceneError::WrongLength { call: "set_field", what: "points", given: 5, expected: 8 };
     assert_eq!(error.to_string(), "`set_field` got 5 points, expected 8");
     let error = SceneError::EmptyBlock { block: 0, axis: Axis::Z, size: 0.1 };
-    assert_eq!(error.to_string(), "blocks[0].size is 0.1 m along z: less than half a particle_spacing");
+    assert_eq!(error.to_string(), "blocks[0].size is 0.1 m along z, but must be at least half a particle_spacing");
     let error = StepError::OutOfRange { particle: 3, axis: Axis::Y, step: 7 };
-    assert_eq!(error.to_string(), "step 7: particle 3 went beyond the grid's range along y");
+    assert_eq!(
+        error.to_string(),
+        "step 7: particle 3 is more than 2^22 cells away from the origin along y; the fluid may have become unstable \
+         (use a smaller time_step) or fallen out of the scene"
+    );
 }

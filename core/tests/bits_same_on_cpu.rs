@@ -1,8 +1,8 @@
-//! Promise: the same scene gives the same bits on the scalar path, at every SIMD level, on 1, 2 and 3 threads, with both
-//! grid structures and other grid sizes, however long the neighbour lists are: for 500 steps of the best level on two threads, for 125 of
-//! all others.
+//! Promise: a scene gives the same bits on the scalar path, at every SIMD level, on 1, 2 and 3 threads, with both grid
+//! structures and other grid sizes, and with and without neighbour lists. The best SIMD level on two threads is
+//! compared for 500 steps, all other paths for 125.
 //!
-//! The hash after every step is compared, so a failure names the first step that differs.
+//! The hash after every step is compared, so that a failure names the first step that differs.
 use millpond_core::scene::{GridStructure, Scene};
 use millpond_core::{OwnedMemory, Plan, Requirements, Simd, Solver};
 
@@ -34,7 +34,7 @@ fn check(scene: &Scene, steps: usize) {
     let plan = Plan::of(&support::checked(scene));
     let want = hashes(scene, &plan, Simd::Scalar, 1, true, steps);
     assert_ne!(want[0], want[steps - 1], "a fluid that does not move tests nothing");
-    // what parts would part soon; one path is followed to the end
+    // paths that differ would differ soon, so only one path is followed to the end
     let few = steps / 4;
     let start = &want[..few];
     assert_ne!(start[0], start[few - 1], "nor does one that does not move so far");

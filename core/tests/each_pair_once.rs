@@ -1,6 +1,7 @@
-//! Promise: the half stencil computes what the full one does, but for the order of its sums: densities and accelerations agree to the
-//! rounding of such sums, whatever forms a scene chooses, and momentum strays by no more than rounding. Its bits are its own, and the same at
-//! every level, on any number of threads, with either structure of the grid, and however many particles a cell holds.
+//! Promise: the half stencil computes the same as the full stencil except for the order of summation. Densities and
+//! accelerations agree to the rounding of these sums for every formula that a scene can choose, and momentum changes
+//! by no more than rounding. The bits differ from those of the full stencil; they are the same at every SIMD level, on
+//! any number of threads, with either grid structure, and with any number of particles in a cell.
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     Block, DensityForm, Dimension, Fluid, Formulation, Grid, GridStructure, InitialParticle, Kernel, NearPressure,
@@ -17,7 +18,7 @@ fn half(scene: &Scene) -> Scene {
     half
 }
 
-/// Hash of all state after some steps.
+/// Returns the hash of the whole state after some steps.
 fn hash(scene: &Scene, places: &[InitialParticle], simd: Simd, threads: usize, steps: usize) -> u64 {
     let scene = support::checked(scene);
     let mut heap = OwnedMemory::with(&Requirements::of(&scene).for_particles(places.len()));
@@ -45,13 +46,13 @@ fn its_bits_are_the_same_on_every_path() {
     for (what, scene) in [("dam break", dam_break(0.4)), ("cube", thesis_cube(0.5)), ("plane", dam_break_2d(0.5))] {
         check(what, &scene, &start(&scene), 40);
     }
-    // as few planes as there can be, an odd and an even number of them: they wrap, and the last one looks at the first
+    // the smallest numbers of planes, odd and even: planes wrap, so the last plane has the first one ahead of it
     for count in [3, 4, 5] {
         let mut scene = dam_break(0.4);
         scene.grid.cells = [count; 3];
         check("a small grid", &scene, &start(&scene), 20);
     }
-    // one, and none beside it
+    // a particle without neighbours
     let scene = dam_break(0.4);
     check("one particle", &scene, &start(&scene)[..1], 20);
 }
@@ -59,7 +60,8 @@ fn its_bits_are_the_same_on_every_path() {
 #[test]
 fn its_bits_are_the_same_in_a_crowd() {
     let scene = Scene { time_step: 1e-12, ..dam_break(0.3) };
-    // more neighbours than fit at once, and more candidates: what is not listed is searched
+    // more neighbours than a list can hold, and then more candidates too: in these cases the cells are searched
+    // instead
     for crowd in [600, 1100] {
         let places = with_a_crowd(&scene, start(&scene), crowd);
         check("a crowd", &scene, &places, 1);
@@ -68,7 +70,8 @@ fn its_bits_are_the_same_in_a_crowd() {
     }
 }
 
-/// Accelerations and deviations of the density of the particles, by id, before the first step.
+/// Returns the accelerations and the deviations of density of the particles before the first step, in the order of
+/// their ids.
 fn evaluated(scene: &Scene, places: &[InitialParticle], plan: fn(&Checked<'_>) -> Plan) -> Vec<([f64; 3], f64)> {
     let scene = support::checked(scene);
     let plan = plan(&scene);
@@ -85,15 +88,15 @@ fn evaluated(scene: &Scene, places: &[InitialParticle], plan: fn(&Checked<'_>) -
     slots.map(|([x, y, z, _], deviation)| ([x, y, z].map(f64::from), f64::from(deviation))).collect()
 }
 
-/// Asserts that two evaluations differ by no more than the rounding of their sums, and differ.
+/// Asserts that two evaluations differ, and by no more than the rounding of their sums.
 fn agree(what: &str, full: &[([f64; 3], f64)], half: &[([f64; 3], f64)], neighbours: usize) {
-    // a sum is rounded once a neighbour
+    // a sum is rounded once per neighbour
     let rounding = neighbours as f64 * f64::from(f32::EPSILON) / 2.0;
     let largest = full.iter().flat_map(|(a, _)| a.map(f64::abs)).fold(0.0, f64::max);
     let mut differ = 0;
     for ((a, rho), (b, rho_half)) in full.iter().zip(half) {
         assert!((rho - rho_half).abs() <= rounding * (1.0 + rho), "{what}: {rho} and {rho_half}");
-        // pressure follows the density by its seventh power at most, and is in each of a pair
+        // pressure depends on the seventh power of density at most, and both particles of a pair contribute one
         for (x, y) in a.iter().zip(b) {
             assert!((x - y).abs() <= 16.0 * rounding * largest, "{what}: {a:?} and {b:?}, of {largest}");
         }
@@ -102,7 +105,8 @@ fn agree(what: &str, full: &[([f64; 3], f64)], half: &[([f64; 3], f64)], neighbo
     assert!(differ > 0, "{what}: in another order some sums end in other digits");
 }
 
-/// Two jittered drops that collide, of two fluids where `light` is given, in a domain that wraps along x.
+/// Two jittered blocks that collide, in a domain that is periodic along x. The second one is of another fluid if its
+/// rest density is given as `light`.
 fn collision(light: Option<f32>) -> Scene {
     let fluid = Fluid { dynamic_viscosity: 3.0, speed_of_sound: 15.0, ..Fluid::default() };
     let block =
@@ -136,7 +140,7 @@ fn it_computes_what_the_full_stencil_does() {
                     scene.model.alpha = 0.5;
                     let half = half(&scene);
                     if scene.check().is_err() {
-                        // what does not go together does not with either
+                        // settings that conflict are rejected with both stencils
                         assert!(half.check().is_err());
                         continue;
                     }
@@ -175,7 +179,7 @@ fn momentum_strays_by_no_more_than_rounding() {
     let passed: f64 = solver.particles().map(|p| f64::from(p.velocity.length())).sum();
     (0..100).for_each(|_| solver.step(&Serial).expect("a step"));
     for (before, after) in before.into_iter().zip(momentum(&solver)) {
-        // rounded once a pair and once a sum, at random, 100 times
+        // 100 steps, each rounding once per pair and once per sum, in random directions
         assert!((before - after).abs() < 3e-6 * passed, "{before} and {after}, of {passed}");
     }
 }

@@ -1,7 +1,7 @@
-//! Promise: the folders of core say what is in them. Those of the passes hold exactly the passes, in the order of the step, and
-//! every file of the terms is one of the texts that a device is given.
+//! Promise: the folders of core contain what their names say. The folders of the passes hold exactly the passes, in the
+//! order of the step, and every file of the terms is one of the texts that a device receives.
 //!
-//! That the shaders' folders hold the same passes is for `gpu/tests/terms_are_one_text.rs`.
+//! `gpu/tests/terms_are_one_text.rs` checks that the shader folders hold the same passes.
 use millpond_core::Pass;
 use millpond_core::backend::terms::texts;
 use std::collections::BTreeSet;
@@ -29,7 +29,7 @@ fn every_term_file_is_a_text() {
         let names = files.filter_map(|f| f.file_stem().map(|name| name.to_string_lossy().into_owned()));
         names.filter(|name| name != "mod").collect::<Vec<String>>()
     };
-    // a folder's mod.rs is a text too
+    // the folders `kernel` and `integrate` are listed as well: their mod.rs is a text under the folder's name
     let folders = ["terms", "terms/kernel", "terms/integrate"];
     let mut files = folders.map(stems).concat();
     files.sort();

@@ -1,4 +1,4 @@
-//! Promise: the first lines of code that a host reads, in README and in the examples, compile and run as they stand.
+//! Promise: the first lines of code that a user reads, in the README and in the examples, compile and run as printed.
 //!
 //! `stack_is_small.rs` runs them once more without optimisation, on a stack of 1 MiB.
 use millpond_core::backend::layout::f32x4;
@@ -7,13 +7,13 @@ use millpond_core::scene::{Block, Dimension, Fluid, Scene};
 use millpond_core::{Serial, Solver, Storage};
 use std::error::Error;
 
-/// The lines of code between two lines of a text, without their comments.
+/// Returns the lines of code between two lines of a text, without comments.
 fn code<'t>(text: &'t str, from: &str, to: &str) -> Vec<&'t str> {
     let lines = text.lines().skip_while(|line| !line.contains(from)).skip(1).take_while(|line| !line.contains(to));
     lines.map(|line| line.split("//").next().unwrap_or_default().trim()).filter(|line| !line.is_empty()).collect()
 }
 
-/// Asserts that these lines stand in this file.
+/// Asserts that this file contains these lines.
 fn stand_here(lines: &[&str]) {
     let here = include_str!("first_lines.rs");
     for line in lines {

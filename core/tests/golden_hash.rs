@@ -1,7 +1,8 @@
-//! Promise: the bits of known scenes are these, on every path, on every machine, however the compiler optimised.
+//! Promise: known scenes have these known bits, on every path, on every machine, at every level of optimisation.
 //!
-//! The scenes spell out every field (a test sees to it), so that defaults may change without touching a bit here. CI runs this
-//! unoptimised too. A value changes only when the simulation is meant to; say why in the commit.
+//! The scenes name every field (a test checks that), so that a change of a default changes no bit here. CI also runs
+//! this test without optimisation. Change a value only when the simulation is meant to change, and give the reason in
+//! the commit message.
 use millpond_core::scene::Scene;
 use millpond_core::{OwnedMemory, Serial, Simd, Solver};
 
@@ -9,7 +10,7 @@ use millpond_core::{OwnedMemory, Serial, Simd, Solver};
 #[allow(unreachable_pub, reason = "a module of several programs")]
 mod bare;
 
-/// Hash of positions and velocities of `tests/bare`'s scene after 200 steps.
+/// Hash of positions and velocities of the scene of `tests/bare` after 200 steps.
 const BARE: u64 = 0x31ef_eaef_794e_fb8c;
 
 const STEPS: u32 = 60;

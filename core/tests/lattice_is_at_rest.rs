@@ -1,7 +1,8 @@
-//! Promise: the lattice tests of Hinsch 2024, section 6.1 hold, in 2D and in 3D: kernel values and gradients at lattice distances,
-//! sums over an 11 x 11 lattice, neighbour counts, density and pressure at rest.
+//! Promise: the lattice tests of Hinsch 2024, section 6.1, hold in 2D and in 3D: kernel values and gradients at lattice
+//! distances, sums over an 11 x 11 lattice, neighbour counts, density and pressure at rest.
 //!
-//! Hinsch's kernel is the cubic spline with support 2 h, h being the spacing, so the support radius here is 2 spacings.
+//! Hinsch's kernel is the cubic spline with support 2 h, where h is the spacing, so the support radius here is 2
+//! spacings.
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use millpond_core::backend::arithmetic::real::vec3;
 use millpond_core::backend::derive::support_radius;
@@ -14,10 +15,11 @@ use std::f64::consts::PI;
 mod support;
 use support::{at_rest, heap_for};
 
-/// Spacing, in metres; Hinsch's h.
+/// Spacing, m; Hinsch's h.
 const H: f64 = 0.1;
 
-/// The lattice's scene with this support radius, in spacings: Tait's water at rest, by Hinsch's kernel.
+/// Returns the scene of the lattice with this support radius, in spacings: water at rest with Tait's equation of state
+/// and Hinsch's kernel.
 fn lattice_scene(dimension: Dimension, support: f64) -> Scene {
     let n = if dimension == Dimension::Two { PI * support.powi(2) } else { 4.0 / 3.0 * PI * support.powi(3) };
     let water = Fluid { speed_of_sound: 22.0, dynamic_viscosity: 5.0, ..Fluid::default() };
@@ -32,25 +34,25 @@ fn lattice_scene(dimension: Dimension, support: f64) -> Scene {
     scene
 }
 
-/// 11 points along each axis around the origin.
+/// Returns a lattice of 11 points along each axis around the origin.
 fn lattice(dimension: Dimension) -> Vec<[f32; 3]> {
     let layers = if dimension == Dimension::Two { 0..=0 } else { -5..=5 };
     let at = |i: i32| (f64::from(i) * H) as f32;
     layers.flat_map(|z| (-5..=5).flat_map(move |y| (-5..=5).map(move |x| [at(x), at(y), at(z)]))).collect()
 }
 
-/// The two dimensions, with the constant of Hinsch's kernel in each: 5 / (14 pi h^2), and its 3D twin 1 / (4 pi h^3).
+/// Returns both dimensions, each with the constant of Hinsch's kernel: 5 / (14 pi h^2) in 2D, 1 / (4 pi h^3) in 3D.
 fn dimensions() -> [(Dimension, f64); 2] {
     [(Dimension::Two, 5.0 / (14.0 * PI * H * H)), (Dimension::Three, 1.0 / (4.0 * PI * H * H * H))]
 }
 
-/// Hinsch's W, from the term; its support is 2 h.
+/// Returns Hinsch's W, computed by the term; its support is 2 h.
 fn w(dimension: Dimension, r: f64) -> f64 {
     let constant = Kernel::CubicSpline.normalisation(dimension.count()) / (2.0 * H).powi(dimension.count() as i32);
     constant * f64::from(cubic_spline_w((r / (2.0 * H)) as f32))
 }
 
-/// Size of Hinsch's gradient of W, from the term.
+/// Returns the magnitude of Hinsch's gradient of W, computed by the term.
 fn slope(dimension: Dimension, r: f64) -> f64 {
     let constant = Kernel::CubicSpline.normalisation(dimension.count()) / (2.0 * H).powi(dimension.count() as i32 + 1);
     constant * f64::from(cubic_spline_slope((r / (2.0 * H)) as f32))
@@ -60,7 +62,7 @@ fn slope(dimension: Dimension, r: f64) -> f64 {
 fn kernel_values_at_lattice_distances() {
     for (dimension, alpha) in dimensions() {
         assert_eq!(w(dimension, 3.0 * H), 0.0);
-        // single precision: one rounding of q and a handful of products
+        // single precision: one rounding of q and a few products
         assert_relative_eq!(w(dimension, 0.0), 4.0 * alpha, max_relative = 1e-6);
         assert_relative_eq!(w(dimension, H), alpha, max_relative = 1e-6);
         for diagonal in [2f64.sqrt(), 3f64.sqrt()] {
@@ -75,7 +77,8 @@ fn gradients_at_lattice_distances() {
     for (dimension, alpha) in dimensions() {
         assert_eq!(slope(dimension, 0.0), 0.0);
         assert_relative_eq!(slope(dimension, H), 3.0 * alpha / H, max_relative = 1e-6);
-        // along each axis of the diagonal: Hinsch's alpha beta / (h sqrt 2), beta = -3 (2 - sqrt 2)^2; and with sqrt 3
+        // along each axis of a diagonal: Hinsch's alpha beta / (h sqrt 2), beta = -3 (2 - sqrt 2)^2; the 3D diagonal
+        // has sqrt 3 in place of sqrt 2
         for diagonal in [2f64.sqrt(), 3f64.sqrt()] {
             let beta = 3.0 * (2.0 - diagonal).powi(2);
             let expected = alpha * beta / (H * diagonal);
@@ -88,7 +91,8 @@ fn gradients_at_lattice_distances() {
 fn sums_over_the_lattice() {
     for (dimension, alpha) in dimensions() {
         let volume = H.powi(dimension.count() as i32);
-        // what the sum must be: Hinsch's 1 to within the 8.6e-4 of its kernel on the square lattice, and its 3D twin
+        // the expected sum: in 2D Hinsch's 1, which his kernel misses by 8.6e-4 on the square lattice; in 3D its
+        // equivalent
         let neighbours = if dimension == Dimension::Two { [4.0, 4.0, 0.0] } else { [6.0, 12.0, 8.0] };
         let at = |d: f64| (2.0 - d).powi(3);
         let [edge, face, corner] = neighbours;
@@ -108,9 +112,9 @@ fn sums_over_the_lattice() {
                     gradient.iter_mut().zip(d).for_each(|(g, d)| *g -= slope(dimension, r) * d / r * volume * H);
                 }
             }
-            // places and terms are single precision: 1e-7 of each of up to 33 of them
+            // positions and terms are in single precision, so each of up to 33 terms has an error of 1e-7
             assert_abs_diff_eq!(sum, expected, epsilon = 2e-6);
-            // gradients cancel pairwise; what is left is the rounding of as many, each of size 1 at most
+            // gradients cancel pairwise; the rounding of up to 33 terms remains, each of them at most 1
             assert!(gradient.iter().all(|g| g.abs() < 1e-5), "{gradient:?}");
         }
     }
@@ -118,7 +122,7 @@ fn sums_over_the_lattice() {
 
 #[test]
 fn neighbours_of_the_middle_particle() {
-    // Hinsch 2024, section 6.1.2 for the plane; in space, the lattice points with |n|^2 up to 1, 3 and 4
+    // in 2D from Hinsch 2024, section 6.1.2; in 3D the number of lattice points with |n|^2 up to 1, 3 and 4
     let expected =
         [(Dimension::Two, [(2.1, 13), (1.9, 9), (1.1, 5)]), (Dimension::Three, [(2.1, 33), (1.9, 27), (1.1, 7)])];
     for (dimension, counts) in expected {
@@ -138,7 +142,7 @@ fn neighbours_of_the_middle_particle() {
 
 #[test]
 fn density_and_pressure_at_rest() {
-    // what the lattice sum of each kernel is off by, computed here by a plain sum in f64
+    // the density differs from the rest density by the error of the lattice sum, computed here by a plain sum in f64
     for dimension in [Dimension::Two, Dimension::Three] {
         let scene = lattice_scene(dimension, 2.0);
         let points = lattice(dimension);
@@ -158,14 +162,15 @@ fn density_and_pressure_at_rest() {
         // 57 single-precision terms
         assert_relative_eq!(f64::from(middle.density) / 1000.0, lattice_sum, max_relative = 2e-6);
         if dimension == Dimension::Two {
-            // Hinsch's own claim, to the 8.6e-4 that the lattice sum allows
+            // Hinsch's claim, within the 8.6e-4 of the lattice sum
             assert_abs_diff_eq!(lattice_sum, 1.0, epsilon = 8.7e-4);
         }
-        // Tait at that density; it multiplies the rounding of density by 7 c0^2 rho0 / 7, so 22^2 * 1000 * 2e-6 Pa
+        // Tait's equation at that density: it multiplies the rounding of the density by 7 c0^2 rho0 / 7, which makes
+        // 22^2 * 1000 * 2e-6 Pa
         let c2 = f64::from(scene.fluids[0].speed_of_sound).powi(2);
         let tait = 1000.0 * c2 / 7.0 * (lattice_sum.powi(7) - 1.0);
         assert_abs_diff_eq!(f64::from(middle.pressure), tait, epsilon = c2 * 1000.0 * 2e-6);
-        // and in the middle of a lattice nothing pushes
+        // in the middle of the lattice the forces cancel
         let acceleration = solver.state().acceleration[solver.slots()[points.len() / 2] as usize];
         let push = vec3(acceleration[0], acceleration[1], acceleration[2]);
         assert!(push.x.abs().max(push.y.abs()).max(push.z.abs()) < 1e-3, "{push:?} m/s2");

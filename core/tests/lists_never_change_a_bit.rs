@@ -1,6 +1,7 @@
-//! Promise: how much memory there is for neighbour lists changes time, never a bit, at any level: with lists that are full from the
-//! start, from the middle on, or of some groups; with windows of slots that run out; with more candidates or neighbours than are ever
-//! listed, beside walls too; and with groups that are not full. Each case is seen to be the case it is meant to be.
+//! Promise: the amount of memory for neighbour lists affects the run time but never a bit, at any SIMD level. The
+//! cases: memory that is used up at the start, halfway, or after some groups (of four particles); windows of slots that
+//! run out; more candidates or neighbours than a list can hold, also beside walls; and groups with fewer than four
+//! particles. Each test checks that its case really occurs.
 use millpond_core::backend::ListReport;
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{Face, InitialParticle, Scene, Wall, WallPressure, WallShape};
@@ -9,7 +10,7 @@ use millpond_core::{LIST_WORDS, OwnedMemory, Plan, Requirements, Simd, Solver};
 mod support;
 use support::{Threads, dam_break, dam_break_2d, start, with_a_crowd};
 
-/// The hash of all state after some steps, of particles that stand where `places` says, and how full the lists then are.
+/// Returns the hash of all state after some steps from the particles `places`, and how full the lists then are.
 fn run(
     scene: &Scene,
     places: &[InitialParticle],
@@ -29,8 +30,8 @@ fn run(
     (solver.full_hash(), lists)
 }
 
-/// Asserts that none of these numbers of words, at any level, changes the bits of the scalar path with all of them. Returns how full
-/// the lists are with all of the memory.
+/// Asserts that none of several memory sizes, at any SIMD level, changes the bits of the scalar path with all of the
+/// memory. Returns how full the lists are with all of the memory.
 fn check(what: &str, scene: &Scene, places: &[InitialParticle], steps: usize) -> ListReport {
     let all = places.len() * LIST_WORDS;
     let (want, lists) = run(scene, places, Simd::Scalar, 1, usize::MAX, steps);
@@ -66,9 +67,9 @@ fn with_one_to_nine_particles() {
 
 #[test]
 fn with_hundreds_and_thousands_in_a_cell() {
-    // a step so short that nobody flies out of the crowd
+    // a step so short that no particle leaves the crowd
     let scene = Scene { time_step: 1e-12, ..dam_break(0.3) };
-    // more neighbours than are listed of a particle; more candidates than are tried at once
+    // 400: more neighbours than are listed for a particle; 1100: more candidates than are tested at once
     for crowd in [400, 1100] {
         let lists = check("a crowd", &scene, &with_a_crowd(&scene, start(&scene), crowd), 1);
         let unlisted = lists.groups - lists.listed;
@@ -88,7 +89,7 @@ fn with_a_crowd_beside_a_mirroring_wall() {
 
 #[test]
 fn with_more_rows_than_there_are_windows() {
-    // eight windows of 8192 slots run out several times
+    // the eight windows of 8192 slots run out several times
     let scene = dam_break(2.0);
     let places = start(&scene);
     assert!(places.len() > 150_000, "{} particles", places.len());
@@ -96,7 +97,7 @@ fn with_more_rows_than_there_are_windows() {
     for simd in Simd::available() {
         let (got, lists) = run(&scene, &places, simd, 1, usize::MAX, 1);
         assert_eq!(got, want, "{simd:?}");
-        // a group that lies across the change of windows is not listed, and all others are
+        // only groups that lie across a change of windows are not listed
         assert!(lists.listed < lists.groups && lists.groups - lists.listed < 100, "{simd:?}: {lists:?}");
     }
 }

@@ -1,4 +1,4 @@
-//! Promise: the grid finds exactly the pairs that brute force finds, whatever the cloud, the structure and the wrapping.
+//! Promise: the grid finds exactly the pairs that brute force finds, for any point cloud, grid structure and wrapping.
 use millpond_core::OwnedMemory;
 use millpond_core::scene::{Dimension, GridStructure, Periodic, Scene};
 use millpond_core::{Serial, Solver};
@@ -6,12 +6,13 @@ use millpond_core::{Serial, Solver};
 mod support;
 use support::{Random, at_rest, checked, heap_for};
 
-/// The thesis cube's fluid, in either dimension.
+/// Returns the scene of the thesis cube in either dimension.
 fn scene_in(dimension: Dimension) -> Scene {
     Scene { dimension, ..support::thesis_cube(0.8) }
 }
 
-/// Every pair inside each other's support, by looking at all of them with the solver's own distance.
+/// Returns every pair of points within each other's support, by testing all pairs with the distance that the solver
+/// uses.
 fn brute_force(scene: &Scene, points: &[[f32; 3]]) -> Vec<(u32, u32)> {
     let p = checked(scene).derived().parameters;
     let (scale, period) = (p.inverse_support_squared, p.period);
@@ -31,7 +32,7 @@ fn brute_force(scene: &Scene, points: &[[f32; 3]]) -> Vec<(u32, u32)> {
     pairs
 }
 
-/// Pairs by the grid, sorted; a pair met twice stays twice.
+/// Returns the pairs that the grid finds, sorted. A pair that is found twice appears twice.
 fn by_grid(scene: &Scene, points: &[[f32; 3]]) -> Vec<(u32, u32)> {
     let mut heap = heap_for(scene, points.len());
     let mut pairs = Vec::new();
@@ -70,7 +71,7 @@ fn in_random_clouds_with_negative_coordinates() {
 #[test]
 fn in_clouds_that_wrap_onto_each_other() {
     for dimension in [Dimension::Two, Dimension::Three] {
-        // 960 cells are a multiple of 3, 4 and 32: two clouds that far apart share all their cells
+        // 960 is a multiple of 3, 4 and 32, so two clouds that are 960 cells apart share all their cells
         let mut points = cloud(3, 200, dimension, 0.0, 0.6);
         let cell = 1.0 / checked(&scene_in(dimension)).derived().parameters.inverse_cell[0];
         points.extend(cloud(3, 200, dimension, 0.0, 0.6).iter().map(|p| [p[0] + 960.0 * cell, p[1], p[2]]));
@@ -82,7 +83,7 @@ fn in_clouds_that_wrap_onto_each_other() {
 fn for_points_exactly_on_cell_faces() {
     for dimension in [Dimension::Two, Dimension::Three] {
         let cell = 1.0 / checked(&scene_in(dimension)).derived().parameters.inverse_cell[0];
-        // half a cell apart, on faces, edges and corners, and one ULP beside them
+        // points half a cell apart, on faces, edges and corners, and points one ULP beside them
         let layers = if dimension == Dimension::Two { 0..=0 } else { -3..=3 };
         let mut points = Vec::new();
         for z in layers {
@@ -120,7 +121,7 @@ fn across_the_seams_of_a_periodic_domain() {
     {
         let mut scene = scene_in(dimension);
         scene.blocks.clear();
-        // 3 cells of 0.147 m fit in the plane, and no fourth
+        // in 2D, three cells of 0.147 m fit along each axis, but not four
         let (low, high) = ([-0.1, 0.2, -0.3], [0.4, 0.7, 0.2]);
         scene.periodic = Some(Periodic { low: low.into(), high: high.into(), axes });
         let mut random = Random(5);

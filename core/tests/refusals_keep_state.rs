@@ -1,7 +1,7 @@
-//! Promise: every error is a typed value that names what went wrong, and leaves every bit of the state as it was, whatever ran
-//! before.
+//! Promise: every error is a typed value that names what went wrong, and leaves every bit of the state unchanged,
+//! whatever ran before.
 //!
-//! That a device refuses the same is for `gpu/tests/refusals_keep_state.rs`.
+//! `gpu/tests/refusals_keep_state.rs` tests that a GPU returns the same errors.
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{GridStructure, InitialParticle, Scene};
 use millpond_core::{Axis, Memory, Plan, Quantity, Requirements, SceneError, Serial, Simd, Solver, StepError, Storage};
@@ -21,7 +21,7 @@ fn a_step_that_is_refused() {
             let mut solver = start.expect("a scene that starts").at_level(simd);
             (0..good).for_each(|_| solver.step(&Serial).expect("a good step"));
             let before = (Words::of_cpu(&solver), solver.full_hash());
-            // a second try is refused the same way
+            // a second try returns the same error
             for _ in 0..2 {
                 assert_eq!(solver.step(&Serial), Err(error), "{name}, {simd:?}");
                 assert!((Words::of_cpu(&solver), solver.full_hash()) == before, "{name}, {simd:?}");
@@ -64,7 +64,7 @@ fn memory_that_is_too_small() {
         refused(Memory::of_arena(bytemuck::cast_slice_mut(&mut arena))),
         too_few("bytes of arena", needed, needed - 8)
     );
-    // and what a storage has no name for is looked for in an arena
+    // arrays that a `Storage` does not have are taken from an arena
     let mut warm = scene.clone();
     warm.model.internal_energy = true;
     warm.grid.structure = GridStructure::IndexSort;
@@ -105,16 +105,16 @@ fn scenes_that_cannot_be() {
     assert_eq!(field(refused(&|s| s.blocks[0].corner[2] = f32::INFINITY)), "blocks.corner");
     assert_eq!(field(refused(&|s| s.container.as_mut().expect("a box").restitution = 1.5)), "container.restitution");
     assert_eq!(field(refused(&|s| s.container.as_mut().expect("a box").slip = -0.1)), "container.slip");
-    // lengths whose fourth power is no f32
+    // lengths whose fourth power f32 cannot represent
     let tiny = refused(&|s| (s.particle_spacing, s.blocks[0].size) = (1e-12, Vec3::splat(1e-12)));
     assert_eq!(tiny, SceneError::OutOfScale { field: "particle_spacing", value: 1e-12 });
-    // supports whose constants are no numbers are no fault of the spacing
+    // for support radii whose constants are not finite the error names the neighbours, not the spacing
     for value in [1e30, 1e-30] {
         let (field, least, most) = ("average_neighbours", 0.001, 268_435_455.0);
         let error = SceneError::OutOfBounds { field, value, least, most };
         assert_eq!(refused(&|s| s.average_neighbours = value), error);
     }
-    // at 1e4 m coordinates are a millimetre apart
+    // at 1e4 m f32 resolves a millimetre
     let error = refused(&|s| s.blocks[0].corner[0] = 1e4);
     let most = 65_536.0 * base.particle_spacing;
     assert_eq!(error, SceneError::OutOfBounds { field: "blocks.corner", value: 1e4, least: -most, most });

@@ -1,4 +1,5 @@
-//! Promise: a number out of its bounds is refused by the name of its field, with its value and the bound; one within them is not.
+//! Promise: a number out of bounds is rejected with an error that names the field, its value and the bound; a number
+//! within its bounds is accepted.
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     AccelerationField, Block, Correction, Dimension, Face, Fluid, Periodic, Plasticity, Scene, SupportRange, Wall,
@@ -69,7 +70,7 @@ fn springs_that_do_not_fit() {
         let mut heap = millpond_core::OwnedMemory::of(&scene.check()?);
         Solver::new(scene, heap.lend()).map(|solver| solver.springs().count())
     };
-    // 4 x 2 particles: 4 + 6 along the sides of the squares, 6 across them
+    // 4 x 2 particles have 4 + 6 springs along the edges of the squares and 6 along their diagonals
     assert_eq!(solver(&scene), Ok(16));
     scene.elasticity.capacity = Some(15);
     let refused = SceneError::CapacityExceeded { what: "springs (elasticity.capacity)", needed: 16, capacity: 15 };

@@ -1,6 +1,7 @@
-//! Promise: choices that do not go together are refused by name before the first step, and only those.
+//! Promise: settings that cannot be combined are rejected before the first step, with an error that names both, and no
+//! other combinations are rejected.
 //!
-//! The sentences stand here word for word: a host shows them to those who write scenes.
+//! The messages are compared word by word, because programs show them to the authors of scenes.
 use millpond_core::SceneError;
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
@@ -13,14 +14,14 @@ use millpond_core::scene::{
 mod judged;
 use judged::judged as scene;
 
-/// Asserts that it is refused by this sentence.
+/// Asserts that a scene with this change is rejected with this message.
 fn refused(sentence: &str, change: impl FnOnce(&mut Scene)) {
     let told = scene(change).expect_err(sentence);
     assert!(matches!(told, SceneError::NotTogether { .. }), "{told:?}");
     assert_eq!(told.to_string(), sentence);
 }
 
-/// A second fluid that makes a coat of air.
+/// Adds a second fluid and a layer of air made of it.
 fn air(s: &mut Scene) {
     let _ = s.fluids.push(Fluid::default());
     s.air = Some(Air { fluid: 1, capacity: 10, threshold: 0.5, minimum_density: 0.5 });
@@ -30,48 +31,50 @@ fn air(s: &mut Scene) {
 fn formulas_by_name() {
     assert_eq!(scene(|_| ()), Ok(()));
     refused(
-        "model.density_kernel Viscosity does not go with any density: its value at no distance, and so a \
-         particle's own share, is infinite",
+        "model.density_kernel Viscosity conflicts with any model.density: it is infinite at distance 0, so a \
+         particle's contribution to its own density would be infinite; use another density_kernel",
         |s| s.model.density_kernel = Kernel::Viscosity,
     );
     refused(
-        "model.variable_support does not go with model.evaluation from tables: a table is made for one \
-         support (Pirovano, section 4.2.3)",
+        "model.variable_support conflicts with model.evaluation Table or SquaredTable: a table is computed for one \
+         support radius (Pirovano, section 4.2.3); use model.evaluation Direct",
         |s| {
             s.model.evaluation = Evaluation::Table;
             s.model.variable_support = Some(SupportRange { smallest: 0.9, largest: 1.1 });
         },
     );
     refused(
-        "model.evaluation from tables does not go with a kernel whose slope or Laplacian is infinite at \
-         no distance: no table ends there",
+        "model.evaluation Table or SquaredTable conflicts with a kernel whose slope or Laplacian is infinite at \
+         distance 0: a table cannot store an infinite value; use model.evaluation Direct, or another pressure_kernel \
+         or viscosity_kernel",
         |s| {
             (s.model.evaluation, s.model.viscosity) = (Evaluation::SquaredTable, Viscosity::Morris);
         },
     );
     refused(
-        "model.evaluation from tables does not go with a kernel whose slope or Laplacian is infinite at \
-         no distance: no table ends there",
+        "model.evaluation Table or SquaredTable conflicts with a kernel whose slope or Laplacian is infinite at \
+         distance 0: a table cannot store an infinite value; use model.evaluation Direct, or another pressure_kernel \
+         or viscosity_kernel",
         |s| {
             (s.model.evaluation, s.model.viscosity_kernel) = (Evaluation::Table, Kernel::Spiky);
         },
     );
     refused(
-        "model.pressure_force NumberDensity does not go with a model.density other than NumberDensity: it \
-         is the gradient on that density",
+        "model.pressure_force NumberDensity conflicts with a model.density other than NumberDensity: this gradient is \
+         derived for the number density; use model.density NumberDensity, or another pressure_force",
         |s| s.model.pressure_force = PressureForce::NumberDensity,
     );
     refused(
-        "model.pressure_solver PressureCorrection does not go with a canonical model.pressure_force, \
-         one of Mueller's or one on Gourlay's number density: its iteration takes the whole gradient (Pirovano, \
-         section 3.2.2)",
+        "model.pressure_solver PressureCorrection conflicts with model.pressure_force Mueller, MuellerAdapted, \
+         Canonical or NumberDensity: its iteration is derived for other forms of the whole gradient (Pirovano, \
+         section 3.2.2); use Monaghan, MonaghanAdapted, DensityWeighted or Difference",
         |s| {
             s.model.pressure_solver = PressureSolver::PressureCorrection;
         },
     );
     refused(
-        "model.internal_energy does not go with a canonical or difference model.pressure_force: its pairs \
-         do not act on each other alike, so their work is nobody's",
+        "model.internal_energy conflicts with model.pressure_force Canonical or Difference: their pair forces are not \
+         equal and opposite, so the work they do cannot be assigned to either particle; use another pressure_force",
         |s| {
             (s.model.internal_energy, s.model.pressure_force) = (true, PressureForce::Difference);
         },
@@ -81,55 +84,56 @@ fn formulas_by_name() {
 #[test]
 fn starts_and_surroundings_by_name() {
     refused(
-        "model.initialize_hydrostatic does not go with an equation_of_state IdealGas: a gas has no surface to \
-         measure depth from",
+        "model.initialize_hydrostatic conflicts with equation_of_state IdealGas: a gas has no free surface from which \
+         to measure depth; use another equation_of_state, or turn initialize_hydrostatic off",
         |s| {
             (s.model.initialize_hydrostatic, s.model.equation_of_state) = (true, EquationOfState::IdealGas);
         },
     );
     refused(
-        "model.initialize_hydrostatic does not go with model.density NumberDensity: masses that differ change \
-         no number",
+        "model.initialize_hydrostatic conflicts with model.density NumberDensity: a number density ignores particle \
+         masses, which the hydrostatic start sets; use another model.density, or turn initialize_hydrostatic off",
         |s| {
             (s.model.initialize_hydrostatic, s.model.density) = (true, DensityForm::NumberDensity);
         },
     );
-    refused("model.initialize_hydrostatic does not go with no gravity: there is no weight to hold", |s| {
+    refused("model.initialize_hydrostatic conflicts with zero gravity: there is no weight; set gravity", |s| {
         s.model.initialize_hydrostatic = true;
         s.gravity = Vec3::ZERO;
     });
     assert_eq!(scene(air), Ok(()));
     refused(
-        "air.fluid 0 does not go with a coat of air: the first fluid is the liquid: a scene's constants \
-         are of it",
+        "air.fluid 0 conflicts with a layer of air: fluid 0 must be the liquid, because the scene's constants refer \
+         to it; add a fluid for the air, and set air.fluid to its number",
         |s| {
             air(s);
             s.air = s.air.map(|air| Air { fluid: 0, ..air });
         },
     );
     refused(
-        "air does not go with a grid.structure CellLists: all air that is not there lies in one cell, \
-         which would need a place for each",
+        "air conflicts with grid.structure CellLists: inactive air particles share one cell, which would need a place \
+         for each of them; use grid.structure IndexSort",
         |s| {
             air(s);
             s.grid.structure = GridStructure::CellLists { places: 8 };
         },
     );
     refused(
-        "air does not go with so few average_neighbours: a support must reach 1.75 spacings, so that two \
-         that are made never meet",
+        "air conflicts with such a small average_neighbours: the support radius must be at least 1.75 particle \
+         spacings, so that air particles spawned in one step keep their distance; increase average_neighbours",
         |s| {
             air(s);
             s.average_neighbours = 20.0;
         },
     );
-    refused("ambient_density does not go with no gravity: nothing would be buoyant", |s| {
+    refused("ambient_density conflicts with zero gravity: without gravity nothing is buoyant; set gravity", |s| {
         s.ambient_density = 1.2;
         s.gravity = Vec3::ZERO;
     });
     refused(
-        "model.pressure_force Difference does not go with model.wall_pressure Mirrored: a mirrored \
-         pressure makes no difference, so nothing would hold the fluid",
+        "model.pressure_force Difference conflicts with model.wall_pressure Mirrored: a mirrored pressure does not \
+         differ from the fluid's, so walls would not hold the fluid; use wall_pressure Dynamic, or another \
+         pressure_force",
         |s| {
             s.model.pressure_force = PressureForce::Difference;
             let shape = WallShape::Plane { face: Face::Floor, low: Vec3::ZERO, high: Vec3::new(1.0, 0.0, 1.0) };
@@ -137,8 +141,9 @@ fn starts_and_surroundings_by_name() {
         },
     );
     refused(
-        "model.initialize_hydrostatic does not go with an ambient_density as large as the fluid's: its surface \
-         would be at the other end",
+        "model.initialize_hydrostatic conflicts with an ambient_density that is not below every rest_density: the \
+         fluid would be buoyant and its hydrostatic profile inverted; lower ambient_density, or turn \
+         initialize_hydrostatic off",
         |s| {
             (s.model.initialize_hydrostatic, s.ambient_density) = (true, 1000.0);
         },
@@ -148,15 +153,16 @@ fn starts_and_surroundings_by_name() {
 #[test]
 fn properties_of_fluids_by_name() {
     refused(
-        "fluids[0].stiffness does not go with an equation_of_state other than Tait: it is the constant of \
-         that equation",
+        "fluids[0].stiffness conflicts with an equation_of_state other than Tait: it is the constant of Tait's \
+         equation; omit it, or use equation_of_state Tait",
         |s| {
             s.fluids[0].stiffness = Some(1000.0);
             s.model.equation_of_state = EquationOfState::Linear;
         },
     );
     refused(
-        "fluids[0].stiffness does not go with model.pressure_solver PressureCorrection: nothing would use it",
+        "fluids[0].stiffness conflicts with model.pressure_solver PressureCorrection: it is unused, because pressure \
+         is iterated; omit it",
         |s| {
             s.fluids[0].stiffness = Some(1000.0);
             s.model.pressure_solver = PressureSolver::PressureCorrection;
@@ -164,8 +170,8 @@ fn properties_of_fluids_by_name() {
         },
     );
     refused(
-        "fluids[0].equation_of_state does not go with model.pressure_solver PressureCorrection: pressure is \
-         iterated for all fluids, so that nothing would use it",
+        "fluids[0].equation_of_state conflicts with model.pressure_solver PressureCorrection: it is unused, because \
+         pressure is iterated for all fluids; omit it",
         |s| {
             s.fluids[0].equation_of_state = Some(EquationOfState::Tait);
             s.model.pressure_solver = PressureSolver::PressureCorrection;
@@ -173,8 +179,8 @@ fn properties_of_fluids_by_name() {
         },
     );
     refused(
-        "fluids[1].stiffness does not go with an equation_of_state other than Tait: it is the constant of \
-         that equation",
+        "fluids[1].stiffness conflicts with an equation_of_state other than Tait: it is the constant of Tait's \
+         equation; omit it, or use equation_of_state Tait",
         |s| {
             let _ = s.fluids.push(Fluid {
                 stiffness: Some(1000.0),
@@ -184,24 +190,26 @@ fn properties_of_fluids_by_name() {
         },
     );
     refused(
-        "model.viscosity MuellerAdapted does not go with a model.density and a model.pressure_force that \
-         are not adapted: no number density is there for it",
+        "model.viscosity MuellerAdapted conflicts with model.density Summation or Continuity without an adapted \
+         model.pressure_force: it needs a number density; use model.density SummationAdapted, ContinuityAdapted or \
+         NumberDensity, or model.pressure_force MuellerAdapted, MonaghanAdapted or DensityWeighted",
         |s| s.model.viscosity = Viscosity::MuellerAdapted,
     );
-    refused("fluids[0].surface_tension does not go with model.surface_tension Off: nothing would use it", |s| {
+    refused("fluids[0].surface_tension conflicts with model.surface_tension Off: choose a model, or set it to 0", |s| {
         s.fluids[0].surface_tension = 1.0;
     });
     refused(
-        "model.surface_tension Curvature does not go with a model.density_kernel with an edge at no \
-         distance: its Laplacian is infinite there",
+        "model.surface_tension Curvature conflicts with a model.density_kernel with a cusp at distance 0: the \
+         kernel's Laplacian is infinite there; use a smooth density_kernel such as WendlandC2, or \
+         model.surface_tension NormalCurvature",
         |s| {
             (s.model.surface_tension, s.model.density_kernel) = (SurfaceTension::Curvature, Kernel::Spiky);
         },
     );
-    refused("elasticity does not go with an elastic_stiffness of 0 in every fluid: nothing would use it", |s| {
+    refused("elasticity conflicts with an elastic_stiffness of 0 in every fluid: it is unused; omit it", |s| {
         s.elasticity.break_at = Some(0.1);
     });
-    refused("fluids[0].near_stiffness does not go with model.near_pressure Off: nothing would use it", |s| {
+    refused("fluids[0].near_stiffness conflicts with model.near_pressure Off: it is unused; omit it", |s| {
         s.fluids[0].near_stiffness = Some(1.0);
         s.model.near_pressure = NearPressure::Off;
     });
@@ -218,22 +226,23 @@ fn integrators_by_name() {
             assert_eq!(scene(changing(integrator)), Ok(()));
         } else {
             refused(
-                "adaptive does not go with a model.integrator Verlet or one of Beeman's: what it remembers of the \
-         step before is of a step of the same length",
+                "adaptive conflicts with model.integrator Verlet or any variant of Beeman: their history of the last \
+                 step assumes steps of equal length; use another integrator, such as ModifiedVelocityVerlet",
                 changing(integrator),
             );
         }
         let again = |s: &mut Scene| (s.model.integrator, s.model.reevaluate) = (integrator, true);
         if matches!(integrator, Euler | SemiImplicitEuler) {
             refused(
-                "model.reevaluate does not go with one of Euler's for model.integrator: forces are evaluated with \
-         the velocity at the end of the step already",
+                "model.reevaluate conflicts with model.integrator Euler or SemiImplicitEuler: these already evaluate \
+                 forces with the velocity at the end of the step; turn reevaluate off",
                 again,
             );
         } else if matches!(integrator, Clavet | PositionCorrectedBeeman) {
             refused(
-                "model.reevaluate does not go with a model.integrator Clavet or PositionCorrectedBeeman: it moves \
-         particles after the forces, so that neighbours would have to be found again",
+                "model.reevaluate conflicts with model.integrator Clavet or PositionCorrectedBeeman: these move \
+                 particles after the forces, so neighbours would have to be found again; turn reevaluate off, or use \
+                 another integrator",
                 again,
             );
         } else {
@@ -247,16 +256,16 @@ fn integrators_by_name() {
             assert_eq!(scene(corrected), Ok(()));
         } else {
             refused(
-                "model.pressure_solver PressureCorrection does not go with a model.integrator other than \
-         ModifiedVelocityVerlet or SemiImplicitEuler: pressure is iterated for the velocity that these \
-         drift with",
+                "model.pressure_solver PressureCorrection conflicts with a model.integrator other than \
+                 ModifiedVelocityVerlet or SemiImplicitEuler: pressure is iterated for the velocity with which these \
+                 two move the particles; use one of them",
                 corrected,
             );
         }
     }
     refused(
-        "model.reevaluate does not go with model.pressure_solver PressureCorrection: the pressure was \
-         iterated for the forces without it",
+        "model.reevaluate conflicts with model.pressure_solver PressureCorrection: the pressure is iterated for the \
+         forces of the first evaluation; turn reevaluate off",
         |s| {
             (s.model.reevaluate, s.model.pressure_force) = (true, PressureForce::Monaghan);
             s.model.pressure_solver = PressureSolver::PressureCorrection;
@@ -266,15 +275,16 @@ fn integrators_by_name() {
         [|s| s.model.viscosity = Viscosity::VelocityExchange, |s| s.model.radial_exchange = 0.1];
     for exchange in exchanges {
         refused(
-            "adaptive does not go with exchanges of velocity: their shares are of a step, so that with its \
-         length the viscosity would change",
+            "adaptive conflicts with model.viscosity VelocityExchange or a model.radial_exchange above 0: these \
+             exchange a share of velocity per step, so the viscosity would change with the time step; use another \
+             viscosity and set radial_exchange to 0",
             |s| {
                 s.adaptive = Some(AdaptiveTimeStep::default());
                 exchange(s);
             },
         );
     }
-    refused("adaptive does not go with no criterion: there is nothing for the time step to follow", |s| {
+    refused("adaptive conflicts with all criteria off: set its speed, acceleration, sound or viscosity", |s| {
         let idle = AdaptiveTimeStep {
             speed: None,
             acceleration: None,
@@ -289,18 +299,18 @@ fn integrators_by_name() {
 #[test]
 fn what_follows_from_a_time_step_by_name() {
     refused(
-        "stiffness_for_time_step does not go with adaptive: either the stiffness follows from the time \
-         step or the time step from the stiffness",
+        "stiffness_for_time_step conflicts with adaptive: one derives the stiffness from the time step, the other the \
+         time step from the stiffness; omit one of them",
         |s| {
             (s.stiffness_for_time_step, s.adaptive) = (Some(0.2), Some(AdaptiveTimeStep::default()));
         },
     );
-    refused("stiffness_for_time_step does not go with fluids[0].stiffness: it already says how stiff", |s| {
+    refused("stiffness_for_time_step conflicts with fluids[0].stiffness: omit one of the two", |s| {
         (s.stiffness_for_time_step, s.fluids[0].stiffness) = (Some(0.2), Some(1000.0));
     });
     refused(
-        "stiffness_for_time_step does not go with model.pressure_solver PressureCorrection: sound that \
-         is iterated for does not limit the time step",
+        "stiffness_for_time_step conflicts with model.pressure_solver PressureCorrection: with a pressure solver the \
+         speed of sound does not limit the time step; omit stiffness_for_time_step",
         |s| {
             (s.stiffness_for_time_step, s.model.pressure_force) = (Some(0.2), PressureForce::Monaghan);
             s.model.pressure_solver = PressureSolver::PressureCorrection;
@@ -319,8 +329,8 @@ fn air_and_integrators_by_name() {
         };
         if matches!(integrator, Verlet | Beeman | VelocityCorrectedBeeman | PositionCorrectedBeeman) {
             refused(
-                "air does not go with a model.integrator Verlet or one of Beeman's: air that has just been made \
-         has no step before to remember",
+                "air conflicts with model.integrator Verlet or any variant of Beeman: they need a history of the last \
+                 step, which new air particles do not have; use another integrator, such as ModifiedVelocityVerlet",
                 with_air,
             );
         } else {
@@ -339,7 +349,7 @@ fn a_literal_iteration_that_cannot_converge() {
             s.model.correction.iteration = Iteration::Literal;
         })
     };
-    // 1.5 spacings of 0.05 m in 1 ms are 75 m/s
+    // sound travels 1.5 spacings of 0.05 m in a step of 1 ms at 75 m/s
     assert_eq!(literal(74.9), Ok(()));
     assert!(matches!(literal(75.1), Err(SceneError::CannotConverge { most: 1.5, spacings }) if spacings > 1.5));
 }
@@ -361,44 +371,46 @@ fn what_the_half_stencil_cannot_do_by_name() {
         }),
         Ok(())
     );
-    let alike = "it takes what a pair adds to one particle from what it adds to the other, which here differ";
-    let once = "it computes each pair once, and this takes another look at all of a particle's neighbours";
+    let alike = "it derives the contribution of a pair to one particle from that to the other, which is not possible \
+                 here; use FullStencil";
+    let once = "it computes each pair once, and this needs another pass over all neighbours of a particle; use \
+                FullStencil";
     let refused = |other: &str, why: &str, change: &dyn Fn(&mut Scene)| {
-        refused(&format!("grid.traversal HalfStencil does not go with {other}: {why}"), |s| {
+        refused(&format!("grid.traversal HalfStencil conflicts with {other}: {why}"), |s| {
             half(s);
             change(s);
         });
     };
     for force in [PressureForce::Canonical, PressureForce::Difference] {
-        refused("a canonical or difference model.pressure_force", alike, &|s| s.model.pressure_force = force);
+        refused("model.pressure_force Canonical or Difference", alike, &|s| s.model.pressure_force = force);
     }
-    refused("walls of particles", alike, &|s| {
+    refused("walls", alike, &|s| {
         let shape = WallShape::Plane { face: Face::Floor, low: Vec3::ZERO, high: Vec3::new(1.0, 0.0, 1.0) };
         s.walls = [Wall::still(shape)].into_iter().collect();
     });
-    refused("model.initialize_hydrostatic and a model.surface_tension between pairs", alike, &|s| {
+    refused("model.initialize_hydrostatic and model.surface_tension Attraction or GradientSum", alike, &|s| {
         s.model.initialize_hydrostatic = true;
         (s.model.surface_tension, s.fluids[0].surface_tension) = (SurfaceTension::GradientSum, 1.0);
     });
-    refused("model.variable_support", "it searches by one support for all", &|s| {
+    refused("model.variable_support", "it searches with one radius; use FullStencil", &|s| {
         s.model.variable_support = Some(SupportRange { smallest: 0.9, largest: 1.1 });
     });
     for density in [DensityForm::Continuity, DensityForm::ContinuityAdapted] {
-        let why = "it sums what follows from distances, and this needs velocities";
-        refused("a model.density that is stepped", why, &|s| s.model.density = density);
+        let why = "its density pass uses distances only, and these need velocities; use FullStencil";
+        refused("model.density Continuity or ContinuityAdapted", why, &|s| s.model.density = density);
     }
     refused("model.pressure_solver PressureCorrection", once, &|s| {
         s.model.pressure_solver = PressureSolver::PressureCorrection;
         (s.model.pressure_force, s.fluids[0].speed_of_sound) = (PressureForce::Monaghan, 1.0);
     });
     for tension in [SurfaceTension::Curvature, SurfaceTension::NormalCurvature] {
-        refused("a model.surface_tension by curvature", once, &|s| {
+        refused("model.surface_tension Curvature or NormalCurvature", once, &|s| {
             (s.model.surface_tension, s.model.density_kernel) = (tension, Kernel::WendlandC2);
         });
     }
     refused("model.surface_normals", once, &|s| s.model.surface_normals = true);
     refused("model.internal_energy", once, &|s| s.model.internal_energy = true);
-    refused("model.viscosity Exchange", once, &|s| s.model.viscosity = Viscosity::VelocityExchange);
+    refused("model.viscosity VelocityExchange", once, &|s| s.model.viscosity = Viscosity::VelocityExchange);
     refused("model.radial_exchange", once, &|s| s.model.radial_exchange = 0.1);
     refused("model.xsph", once, &|s| s.model.xsph = 0.1);
     refused("air", once, &air);

@@ -1,18 +1,18 @@
-//! Promise: what a host does first needs little stack even where nothing was optimised: the first lines of README and of the
-//! examples (`first_lines.rs`), the example `embed` on its way to its first picture, and every doctest.
+//! Promise: the first things that a program does need little stack, even without optimisation: the first lines of the
+//! README and of the examples (`first_lines.rs`), the example `embed` up to its first picture, and every doctest.
 //!
-//! They are built without optimisation into a target folder of their own, and run with so small a stack for the main thread
-//! (`ulimit -s`) and for all others (`RUST_MIN_STACK`). Nothing of wgpu is built for it.
+//! They are built without optimisation into a target folder of their own, and run with a stack of 1 MiB for the main
+//! thread (`ulimit -s`) and for all other threads (`RUST_MIN_STACK`). Nothing of wgpu is built for this test.
 #![cfg(target_os = "linux")]
 use std::io::{BufRead as _, BufReader};
 use std::os::unix::fs::PermissionsExt as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// KiB that it must do with: what Windows gives a main thread.
+/// Size of the stack, KiB: that of a main thread on Windows.
 const STACK: u64 = 1024;
 
-/// A command of cargo on core, unoptimised.
+/// Returns a cargo command for core, without optimisation.
 fn cargo(target: &Path, what: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO"));
     command.args(what).args(["--locked", "--package", "millpond-core", "--target-dir"]).arg(target);
@@ -20,7 +20,7 @@ fn cargo(target: &Path, what: &[&str]) -> Command {
     command
 }
 
-/// Runs a command to its end, which must be a good one.
+/// Runs a command, which must succeed, and returns its output.
 fn done(command: &mut Command) -> String {
     let ran = command.output().expect("it runs");
     let [out, err] = [&ran.stdout, &ran.stderr].map(|text| String::from_utf8_lossy(text).into_owned());
@@ -28,7 +28,7 @@ fn done(command: &mut Command) -> String {
     out
 }
 
-/// A program that runs another with a small stack, and notes down that it did.
+/// Writes a script that runs a program with a small stack and records that it did; returns the path of the script.
 fn runner(target: &Path) -> PathBuf {
     let (runner, ran) = (target.join("small-stack"), target.join("ran"));
     let _ = std::fs::remove_file(&ran);
@@ -58,13 +58,13 @@ fn of_first_lines_example_and_doctests_without_optimisation() {
     let passed = doctests.lines().find(|line| line.starts_with("test result: ok. ")).unwrap_or_default();
     assert!(passed.contains("passed; 0 failed") && !passed.contains(" 0 passed"), "{doctests}");
 
-    // unoptimised, a whole example takes minutes: after its first picture it has done all that it does
+    // without optimisation the whole example takes minutes; after its first picture it only repeats what it has done
     done(&mut cargo(&target, &["build", "--example", "embed"]));
     let mut example =
         Command::new(&runner).arg(target.join("debug/examples/embed")).stdout(Stdio::piped()).spawn().expect("it runs");
     let mut lines = BufReader::new(example.stdout.take().expect("its output")).lines().map_while(Result::ok);
     let frame = lines.by_ref().filter(|line| line.starts_with('|') && line.ends_with('|')).take(12).count();
-    // a program that has ended is killed in vain
+    // killing fails if the program has already ended, which does not matter
     let _ = example.kill();
     let ended = example.wait().expect("its end");
     assert_eq!(frame, 12, "the rows of a picture, and not {ended}");

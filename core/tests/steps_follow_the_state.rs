@@ -1,6 +1,7 @@
-//! Promise: an adaptive time step is what its criteria ask for of the state, grows no faster than it may, is made again where
-//! that was asked for and counted where it cannot be short enough. Integrators start as they go on: with the order that they
-//! promise. (That a device's clock agrees is for `gpu/tests/clocks_agree.rs`.)
+//! Promise: an adaptive time step is as long as its criteria allow for the state and grows no faster than its limit. A
+//! step that was too long is made again where the scene asks for that, and counted where it cannot be short enough.
+//! Integrators have their order of accuracy from the first step on. (`gpu/tests/clocks_agree.rs` checks that a device's
+//! clock agrees.)
 use approx::assert_relative_eq;
 use millpond_core::OwnedMemory;
 use millpond_core::backend::derive::{speed_of_sound, support_radius};
@@ -11,7 +12,7 @@ mod support;
 use support::falling::{falling, impact};
 use support::{Words, checked};
 
-/// What the criteria ask for, once more and in f64.
+/// Returns the time step that the criteria allow, computed once more in f64.
 fn wanted(scene: &Scene, solver: &Solver<'_>) -> f64 {
     let adaptive = scene.adaptive.expect("an adaptive step");
     let state = solver.state();
@@ -43,7 +44,7 @@ fn each_step_is_what_its_criteria_ask_for() {
             let before = solver.time_report();
             solver.step(&Serial).expect("a step");
             let after = solver.time_report();
-            // a dozen roundings of f32
+            // about a dozen f32 roundings
             assert_relative_eq!(f64::from(after.wanted), wanted(&scene, &solver), max_relative = 1e-6);
             let limit = (after.time_step * adaptive.max_growth).min(adaptive.largest);
             assert_eq!(after.next, after.wanted.min(limit).max(adaptive.smallest));
@@ -53,7 +54,8 @@ fn each_step_is_what_its_criteria_ask_for() {
             );
             sum += f64::from(after.time_step);
             lengths.push(after.time_step);
-            // the clock carries what one f32 cannot show, about 2^-24 of it, and of that loses 2^-24 a step
+            // the clock keeps the rounding error of its f32 time, about 2^-24 of the time, in a second f32, which loses
+            // 2^-24 of it per step
             assert_relative_eq!(solver.time(), sum, max_relative = 300.0 * 2f64.powi(-48));
         }
         lengths.sort_by(f32::total_cmp);
@@ -108,7 +110,7 @@ fn a_step_that_cannot_be_short_enough_is_counted() {
 #[test]
 fn a_refused_step_leaves_the_clock_alone() {
     let mut undone = 0;
-    // as many places as the fullest cell has at the start, and more: some steps are undone before they are refused
+    // from as many places as the fullest cell needs at the start upwards: some steps are undone before one is refused
     for places in 12..18 {
         let mut scene = impact();
         scene.grid.structure = GridStructure::CellLists { places };
@@ -169,14 +171,15 @@ fn a_thrown_particle_keeps_to_its_parabola() {
         let particle = solver.particles().next().expect("a particle");
         let (g, dt) = (-9.81, f64::from(scene.time_step));
         let t = f64::from(STEPS) * dt;
-        // of order 1 it is half a step ahead or behind: x gains g dt t / 2, from order 2 on it is exact
+        // an integrator of order 1 is half a step ahead or behind, and the height is off by half of g dt t; from order
+        // 2 on the height is exact
         let ahead = match integrator {
             Integrator::Euler => -0.5,
             Integrator::SemiImplicitEuler | Integrator::Clavet => 0.5,
             _ => 0.0,
         };
         let height = 0.5 + 2.0 * t + 0.5 * g * t * t + ahead * g * dt * t;
-        // 64 sums of numbers up to 3, each off by half a bit of f32
+        // 64 sums of numbers up to 3, each off by half a unit in the last place of f32
         let near = |a: f32, b: f64| assert_relative_eq!(f64::from(a), b, epsilon = 64.0 * 1.2e-7);
         near(particle.position.y, height);
         near(particle.velocity.y, 2.0 + g * t);

@@ -1,5 +1,6 @@
-//! Promise: who is at the surface of a fluid, and where it points can be asked for each particle, between like fluids and in
-//! nothing; how it is curved, between like fluids. A scene that does not ask finds none.
+//! Promise: the solver reports for each particle whether it is at the surface of a fluid and where the surface normal
+//! points, between fluids with equal properties and at a free surface. Between fluids with equal properties it also
+//! reports the curvature. A scene that does not ask for surfaces gets none.
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{Block, Dimension, Fluid, Formulation, InitialParticle, Kernel, Scene, SurfaceTension};
 use millpond_core::{Particle, Plan, Solver};
@@ -7,12 +8,12 @@ use millpond_core::{Particle, Plan, Solver};
 mod support;
 use support::{checked, heap_for};
 
-/// Spacings, of the disc and of the square around it; m.
+/// Radius of the disc, and half the edge of the square around it (`HALF`), in spacings; the spacing, m.
 const RADIUS: f32 = 20.0;
 const HALF: i16 = 32;
 const SPACING: f32 = 0.01;
 
-/// A disc of fluid 0 on a lattice, in fluid 1 or in nothing.
+/// Returns a disc of fluid 0 on a lattice, surrounded by fluid 1 or by nothing.
 fn disc(model: Formulation, in_a_like_fluid: bool) -> Vec<Particle> {
     let fluid = Fluid { surface_tension: if model.surface_normals { 0.0 } else { 1.0 }, ..Fluid::default() };
     let mut scene =
@@ -51,25 +52,27 @@ fn of_a_disc() {
         let mut curvatures = Vec::new();
         for particle in disc(model, in_a_like_fluid).iter().filter(|particle| particle.fluid == 0) {
             let r = particle.position.length() / SPACING;
-            // a support reaches over 4 spacings, the edge of a lattice is a staircase of one
+            // a support reaches over 4 spacings, and the edge of the disc is a staircase with steps of one spacing
             if r < RADIUS - 5.0 {
                 assert!(!particle.at_surface && particle.curvature == 0.0, "{name}: {r} spacings out");
             }
-            // in nothing the summed density falls towards the edge, so that the outermost row stands for twice its volume: seen
-            // from the next one, the fluid is densest outside
+            // at a free surface the summed density decreases towards the edge, so that a particle of the outermost row
+            // stands for twice its volume; for the next row the fluid then seems densest outside, so only the outermost
+            // row is checked
             let rows = if in_a_like_fluid { 2.0 } else { 0.7 };
             if r > RADIUS - rows {
                 let inward = -particle.normal.normalize().dot(particle.position.normalize());
-                // the staircase has faces along the axes only, so it turns a normal by up to 45 degrees
+                // the faces of the staircase lie along the axes, so they turn a normal by up to 45 degrees
                 assert!(particle.at_surface && inward > 45f32.to_radians().cos(), "{name}: {r}, cosine {inward}");
-                // of the circle through the particle
+                // times the radius of the circle through the particle
                 curvatures.push(particle.curvature * particle.position.length());
             }
         }
         let mean = curvatures.iter().sum::<f32>() / curvatures.len() as f32;
-        // the staircase puts the edge within a step and a half of the circle's; no tension, no curvature
+        // the edge of the staircase lies within 1.5 spacings of the circle; without surface tension no curvature is
+        // computed
         let expected = if model.surface_normals { 0.0 } else { 1.0 };
-        // (and in nothing that second row spoils it)
+        // at a free surface the second row distorts the curvature, so it is not checked there
         assert!(!in_a_like_fluid || (mean - expected).abs() < 1.5 / RADIUS, "{name}: curvature times radius {mean}");
     }
 }

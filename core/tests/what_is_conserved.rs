@@ -1,6 +1,6 @@
-//! Promise: what a choice conserves, it conserves. Forms in which pairs act on each other alike keep momentum, to the
-//! rounding of single precision; with thermal energy kept account of, the sum of all energies strays with the square of
-//! the time step; an even motion of everything changes nothing.
+//! Promise: every formula conserves what it claims to conserve. Formulas with equal and opposite pair forces conserve
+//! momentum to the rounding of single precision. If the internal energy is tracked, the error of the total energy
+//! decreases with the square of the time step. Uniform motion of the whole fluid changes nothing.
 use millpond_core::OwnedMemory;
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
@@ -9,7 +9,7 @@ use millpond_core::scene::{
 };
 use millpond_core::{Serial, Solver};
 
-/// A jittered drop that collides with another, by itself in space.
+/// Returns a jittered drop that collides with another one in empty space.
 fn collision(model: Formulation) -> Scene {
     let fluid = Fluid { dynamic_viscosity: 3.0, speed_of_sound: 15.0, ..Fluid::default() };
     let block =
@@ -30,7 +30,7 @@ fn momentum(scene: &Scene, solver: &Solver<'_>) -> [f64; 3] {
     [sum(0), sum(1), sum(2)]
 }
 
-/// How much momentum appears out of nothing in 100 steps, kg m/s.
+/// Returns the change of the total momentum in 100 steps, kg m/s.
 fn strayed(scene: &Scene) -> f64 {
     let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
     let mut solver = Solver::new(scene, heap.lend()).expect("a scene");
@@ -40,17 +40,18 @@ fn strayed(scene: &Scene) -> f64 {
     (0..3).map(|i| (after[i] - before[i]).abs()).fold(0.0, f64::max)
 }
 
-/// 384 particles of 0.125 kg at 1 m/s: 48 kg m/s pass between them. Each force is rounded once a pair and once a sum, 6e-8 of
-/// itself, at random: 100 steps leave some 1e-6 of what was passed.
+/// Bound for the change of momentum, kg m/s. 384 particles of 0.125 kg at 1 m/s exchange 48 kg m/s. Each force is
+/// rounded once per pair and once per sum, by 6e-8 of itself and at random, so 100 steps leave about 1e-6 of the
+/// exchanged momentum.
 const ROUNDING: f64 = 48.0 * 3e-6;
 
-/// The second of the two drops of another fluid, lighter, and both of them pulled together.
+/// Returns the collision with a second drop of another, lighter fluid, and with surface tension in both.
 fn two_fluids(model: Formulation) -> Scene {
     let mut scene = collision(Formulation { negative_pressure: false, viscosity_kernel: Kernel::CubicSpline, ..model });
     let light = Fluid { rest_density: 700.0, speed_of_sound: 18.0, dynamic_viscosity: 1.0, ..scene.fluids[0] };
     let _ = scene.fluids.push(light);
     scene.blocks[1].fluid = 1;
-    // shares that come to less than 1 for all, so that none is cut down
+    // the exchanged fractions add up to less than 1 for every particle, so that none is reduced
     scene.model.velocity_exchange = 0.02;
     let tension = if model.surface_tension == SurfaceTension::Off { 0.0 } else { 4.0 };
     scene.fluids[0].surface_tension = tension;
@@ -60,7 +61,8 @@ fn two_fluids(model: Formulation) -> Scene {
 
 #[test]
 fn momentum_of_several_fluids_and_not_where_a_form_makes_no_such_promise() {
-    // the classic density of a light particle beside a heavy one is several times its own, and would shoot it away
+    // the classic density sum of a light particle beside a heavy one is several times its own density, and would eject
+    // the particle
     let densities = [DensityForm::SummationAdapted, DensityForm::ContinuityAdapted, DensityForm::Continuity];
     for &pressure_force in PressureForce::ALL {
         let keeps = !matches!(pressure_force, PressureForce::Canonical | PressureForce::Difference);
@@ -149,7 +151,7 @@ fn energy_to_the_order_of_the_integrator() {
             }
             scene.gravity = Vec3::new(0.0, -9.81, 0.0);
             scene.time_step = 0.0008 / f32::from(refinement);
-            // a share a step: the same a second
+            // the fraction is exchanged per step, so this keeps the exchange per second the same
             scene.model.velocity_exchange = 0.04 / f32::from(refinement);
             let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
             let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
@@ -164,10 +166,11 @@ fn energy_to_the_order_of_the_integrator() {
         };
         for several in [false, true] {
             let (coarse, fine) = (strayed(1, several), strayed(4, several));
-            // second order is 16 times less, but for the terms after it and the rounding of single precision
+            // second order means 16 times less, apart from higher-order terms and the rounding of single precision
             let name = format!("{viscosity:?}, several fluids {several}");
-            // how much the coarse step loses is no promise, only that it is small: the light fluid's faster sound makes the same
-            // step a longer one (artificial viscosity: 5.7 %), and the order is what counts
+            // the error of the coarse step is not promised, it only has to be small; the sound of the light fluid is
+            // faster, so that the same step is longer for it (artificial viscosity: 5.7 %), and the order is what
+            // counts
             let most = if several { 8e-2 } else { 5e-2 };
             assert!(coarse < most && fine < coarse / 8.0, "{name}: {coarse:e}, by a fourth of the step {fine:e}");
         }
@@ -176,7 +179,7 @@ fn energy_to_the_order_of_the_integrator() {
 
 #[test]
 fn an_even_motion_of_everything_is_no_motion() {
-    // a full periodic box drifts by whole spacings; nothing may act
+    // a full periodic box drifts by whole spacings; no force may act
     let block = Block { size: Vec3::new(0.4, 0.4, 0.0), velocity: Vec3::new(1.0, -0.5, 0.0), ..Block::default() };
     let water = Fluid { dynamic_viscosity: 1.0, ..Fluid::default() };
     let mut scene = Scene::of(Dimension::Two, 0.025, 0.001, water, block);
@@ -189,7 +192,7 @@ fn an_even_motion_of_everything_is_no_motion() {
         (0..200).for_each(|_| solver.step(&Serial).expect("a step"));
         let off = |p: millpond_core::Particle| (p.velocity.x - 1.0).abs().max((p.velocity.y + 0.5).abs());
         let largest = solver.particles().map(off).fold(0.0, f32::max);
-        // a lattice at rest has a pressure of its own, some 100 Pa, whose gradient is what rounding makes of 0
+        // a lattice at rest has a pressure of its own, about 100 Pa, whose gradient is zero up to rounding
         assert!(largest < 1e-4, "{evaluation:?}: {largest} m/s");
         assert!(solver.particles().all(|p| (0.0..=0.4).contains(&p.position.x)), "inside the domain");
     }

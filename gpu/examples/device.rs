@@ -1,4 +1,4 @@
-//! The same fluid on a device and on the CPU: the same bits.
+//! Steps the same fluid on a device and on the CPU, and checks that both have the same bits.
 //!
 //! `cargo run --release -p millpond-gpu --example device`
 use millpond_core::glam::Vec3;

@@ -1,34 +1,36 @@
-//! What a pass binds, as WGSL and as types: declarations that follow from core's table of passes.
+//! The buffers that each pass binds, as WGSL declarations and as types. Both follow from core's table of passes.
 use millpond_core::backend::layout::{Model, Status, WORKGROUP};
 use millpond_core::backend::plan::arrays::{Class, Side};
 use millpond_core::backend::plan::passes::{Access, Binding, Bound, Threads};
 use millpond_core::{Array, Pass};
 
-/// Uniforms before the arrays: the parameters, the numbers of the step, the materials, the kernel tables.
+/// Number of uniform buffers, which are bound before the arrays: the parameters, the constants of the step, the
+/// materials and the kernel tables.
 pub const UNIFORMS: u32 = 4;
 
-/// Cells of a block: how many one work group sums up. The particles of each block are counted behind those of the cells.
+/// Number of cells in a block; one work group sums the counters of one block. The counters of the blocks follow those
+/// of the cells.
 pub const CELL_BLOCK: u32 = 4096;
 
-/// Threads of a group each of which walks its share of a block of cells, or of all particles.
+/// Threads of a work group in which each thread processes its share of a block of cells, or of all particles.
 const WIDE: u32 = 256;
 
 const _: () = assert!(CELL_BLOCK.is_multiple_of(WIDE));
 
-/// Blocks of so many cells.
+/// Returns the number of blocks that `cells` cells form.
 #[must_use]
 pub fn cell_blocks(cells: u32) -> u32 {
     cells.div_ceil(CELL_BLOCK)
 }
 
-/// A buffer that a program binds behind the uniforms.
+/// A buffer that a program binds after the uniforms.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Declared {
-    /// Its name in WGSL.
+    /// Name in WGSL.
     pub name: String,
-    /// Its type in WGSL.
+    /// Type in WGSL.
     pub kind: String,
-    /// What the pass does to it; none for a uniform.
+    /// How the pass accesses it; `None` for a uniform.
     pub access: Option<Access>,
 }
 
@@ -38,7 +40,7 @@ impl Declared {
     }
 }
 
-/// Name in WGSL of what a pass binds.
+/// Returns the WGSL name of a binding.
 fn name(binding: Binding) -> String {
     let array = binding.array.name();
     match binding.bound {
@@ -53,14 +55,14 @@ fn of(binding: Binding) -> Declared {
     Declared::storage(name(binding), &format!("array<{}>", binding.array.element()), binding.access)
 }
 
-/// The arrays of a pass that exist by this model.
+/// Returns the bindings of a pass whose arrays exist in this model.
 pub fn bound(pass: Pass, model: &Model) -> impl Iterator<Item = Binding> {
     let model = *model;
     pass.bindings().iter().copied().filter(move |binding| binding.array.exists(&model))
 }
 
-/// What a pass binds behind the [`UNIFORMS`], in the order of the bindings: the status with the cells' counters, its arrays that exist,
-/// and what only this command is about.
+/// Returns what a pass binds after the [`UNIFORMS`], in the order of the bindings: the status with the cell counters,
+/// the arrays that exist, and the buffers that only this pass's commands need.
 #[must_use]
 pub fn declared(pass: Pass, model: &Model) -> Vec<Declared> {
     let access = if pass.counts() { Access::Write } else { Access::Read };
@@ -80,8 +82,8 @@ pub fn declared(pass: Pass, model: &Model) -> Vec<Declared> {
     all
 }
 
-/// WGSL declarations of all that a pass binds. Arrays that do not exist are declared as a private entry that nobody touches, so that the
-/// text of a loop may name them behind its conditions.
+/// Returns the WGSL declarations of everything that a pass binds. An array that does not exist is declared as a
+/// private array that is never accessed, so that the text of a loop may name it inside its conditions.
 #[must_use]
 pub fn declarations(pass: Pass, model: &Model) -> String {
     let atomic = if pass.counts() { "atomic<u32>" } else { "u32" };
@@ -101,21 +103,23 @@ pub fn declarations(pass: Pass, model: &Model) -> String {
     out
 }
 
-/// Does a pass walk over pairs whose densities are known? Its text then reads them through `local`.
+/// Returns whether a pass iterates over pairs whose densities are known. Its text then reads the particles through
+/// `local`.
 #[must_use]
 pub fn reads_pairs(pass: Pass) -> bool {
     let reads = |array| pass.bindings().iter().any(|binding| binding.array == array && binding.access == Access::Read);
     reads(Array::cell_start) && reads(Array::density_pressure)
 }
 
-/// Is an array on the device at all? Not where only the host's passes use it, nor as part of another buffer.
+/// Returns whether an array has a buffer of its own on the device. Arrays that only passes on the CPU use have none,
+/// and neither have arrays that are part of another buffer.
 #[must_use]
 pub fn is_on_device(array: Array) -> bool {
     let binds = |pass: Pass| pass.bindings().iter().any(|binding| binding.array == array);
     array.class() == Class::State || Pass::ALL.into_iter().any(binds)
 }
 
-/// Threads of a work group of a pass.
+/// Returns the number of threads in a work group of a pass.
 #[must_use]
 pub fn workgroup(pass: Pass) -> u32 {
     let is_wide = match pass.threads() {

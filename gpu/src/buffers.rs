@@ -1,4 +1,5 @@
-//! The arrays on the device: core's bytes, those of the state twice, in two states that trade places.
+//! The arrays on the device, with the same bytes as in core. Arrays of the state exist twice, as two states that swap
+//! roles after each step.
 use crate::bindings::{cell_blocks, is_on_device};
 use crate::device::Gpu;
 use crate::error::GpuError;
@@ -8,38 +9,38 @@ use millpond_core::backend::memory::{Counts, Requirements};
 use millpond_core::backend::plan::arrays::{Class, Side};
 use millpond_core::{Array, Solver};
 
-/// Distance of two uniforms that share a buffer: no device asks for more.
+/// Distance in bytes between two uniforms that share a buffer. No device requires a larger alignment.
 pub(crate) const UNIFORM_STRIDE: u64 = 256;
 
-/// All of them.
+/// All buffers of a fluid.
 #[derive(Debug)]
 pub(crate) struct Buffers {
     pub parameters: wgpu::Buffer,
-    /// The numbers of the step.
+    /// The constants of the step.
     pub step: wgpu::Buffer,
     pub materials: wgpu::Buffer,
     pub tables: wgpu::Buffer,
     pub head: wgpu::Buffer,
-    /// The number of each array, for commands that say which one they are about.
+    /// The index of each array, for commands that have to know which array they process.
     pub subjects: wgpu::Buffer,
-    /// By array, in no, one or two copies.
+    /// The copies of each array: none, one or two. The outer index is the array.
     arrays: Vec<Vec<wgpu::Buffer>>,
     requirements: Requirements,
 }
 
-/// Makes buffers; an empty array gets one entry, since a binding cannot be empty.
+/// Creates buffers. An empty array gets one entry, since a binding cannot be empty.
 pub(crate) struct Maker<'g> {
     gpu: &'g Gpu,
     usage: wgpu::BufferUsages,
 }
 
 impl<'g> Maker<'g> {
-    /// Of storage buffers.
+    /// Returns a maker of storage buffers.
     pub(crate) fn storage(gpu: &'g Gpu) -> Maker<'g> {
         Maker { gpu, usage: wgpu::BufferUsages::STORAGE }
     }
 
-    /// A buffer of so many bytes.
+    /// Creates a buffer of this size.
     pub(crate) fn allocate(&self, array: &'static str, bytes: usize) -> Result<wgpu::Buffer, GpuError> {
         let bytes = bytes.max(size_of::<f32x4>()) as u64;
         let limits = self.gpu.device.limits();
@@ -52,7 +53,7 @@ impl<'g> Maker<'g> {
         Ok(self.gpu.device.create_buffer(&descriptor))
     }
 
-    /// A buffer with this content.
+    /// Creates a buffer with this content.
     pub(crate) fn filled<T: Pod>(&self, array: &'static str, content: &[T]) -> Result<wgpu::Buffer, GpuError> {
         let buffer = self.allocate(array, size_of_val(content))?;
         self.gpu.queue.write_buffer(&buffer, 0, cast_slice(content));
@@ -61,7 +62,7 @@ impl<'g> Maker<'g> {
 }
 
 impl Buffers {
-    /// With the current state of `solver` in state 0.
+    /// Creates the buffers for `solver` and writes its current state into state 0.
     pub(crate) fn of(gpu: &Gpu, solver: &Solver<'_>) -> Result<Buffers, GpuError> {
         let storage = Maker::storage(gpu);
         let uniform = Maker { gpu, usage: wgpu::BufferUsages::UNIFORM };
@@ -78,7 +79,7 @@ impl Buffers {
             }
             Ok(buffers)
         };
-        // what became of the air so far goes on being counted
+        // the counts of air particles continue from those of the CPU
         let air = solver.air();
         let refused = air.refused.min(u64::from(u32::MAX)) as u32;
         let mut status = Status { air_alive: air.alive, air_refused: refused, ..Status::fine(solver.steps() as u32) };
@@ -109,7 +110,8 @@ impl Buffers {
         })
     }
 
-    /// The buffer of an array when state `old` is the old one. One that a scene never changes is its old one and its new one.
+    /// Returns the buffer of an array when state `old` is the old one. An array that the scene never changes has one
+    /// buffer, which serves as both its old and its new one.
     pub(crate) fn array(&self, array: Array, side: Side, old: usize) -> &wgpu::Buffer {
         let copies = &self.arrays[array as usize];
         let copy = match side {
@@ -120,28 +122,28 @@ impl Buffers {
         copies.get(copy).unwrap_or_else(|| &copies[0])
     }
 
-    /// How much there is of each array.
+    /// Returns the sizes of all arrays.
     pub(crate) fn requirements(&self) -> &Requirements {
         &self.requirements
     }
 
-    /// What there is how many of.
+    /// Returns the numbers of particles, cells and other items from which the sizes follow.
     pub(crate) fn counts(&self) -> &Counts {
         &self.requirements.counts
     }
 
-    /// Words of an array.
+    /// Returns the length of an array in words of four bytes.
     pub(crate) fn words(&self, array: Array) -> usize {
         self.requirements.entries(array) * array.words()
     }
 
-    /// The model that says which arrays there are.
+    /// Returns the model, which determines the arrays that exist.
     pub(crate) fn model(&self) -> &Model {
         self.requirements.model()
     }
 }
 
-/// Reads the first `count` entries of a buffer back.
+/// Reads the first `count` entries of a buffer back from the device.
 pub(crate) fn read<T: Pod + Zeroable>(gpu: &Gpu, buffer: &wgpu::Buffer, count: usize) -> Result<Vec<T>, GpuError> {
     let bytes = (count * size_of::<T>()) as u64;
     if bytes == 0 {
@@ -167,7 +169,7 @@ fn read_bytes<T: Pod + Zeroable>(
     gpu.queue.submit([encoder.finish()]);
     let (tell, told) = std::sync::mpsc::channel();
     staging.map_async(wgpu::MapMode::Read, .., move |result| {
-        // nobody listens any more only if polling failed, which is reported below
+        // the receiver is gone only if polling failed, and that error is returned below
         let _ = tell.send(result);
     });
     let failed = |e: &dyn std::fmt::Display| GpuError::Device(e.to_string());

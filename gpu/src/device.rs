@@ -1,16 +1,17 @@
-//! A device, and how programs reach its driver.
+//! An open device, and the two modes in which programs reach its driver.
 use crate::error::GpuError;
 use crate::float_controls::FloatControls;
 use crate::program::Intrinsics;
 use crate::strict::spirv;
 use std::borrow::Cow;
 
-/// How the programs reach the driver.
+/// How programs reach the driver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// Every float operation by the letter: the bits of the CPU. Needs Vulkan with pass-through shaders.
+    /// The driver must execute every float operation exactly as written, so that results have the bits of the CPU.
+    /// Needs Vulkan with pass-through shaders.
     Strict,
-    /// As the driver likes it: any backend, no promise about bits.
+    /// The driver may optimise float operations. Works on any backend, without any promise about bits.
     Plain,
 }
 
@@ -26,12 +27,13 @@ pub struct Gpu {
 }
 
 impl Gpu {
-    /// Does `make`, and turns what wgpu finds wrong on the way into an error: left alone, it would panic.
+    /// Runs `make` inside wgpu's error scopes, so that errors found by wgpu are returned. Outside a scope wgpu would
+    /// panic.
     pub(crate) fn with_error_scopes<T>(&self, make: impl FnOnce() -> Result<T, GpuError>) -> Result<T, GpuError> {
         let filters = [wgpu::ErrorFilter::OutOfMemory, wgpu::ErrorFilter::Validation, wgpu::ErrorFilter::Internal];
         let scopes = filters.map(|filter| self.device.push_error_scope(filter));
         let made = make();
-        // scopes are a stack: the last one pushed is the first to come off
+        // scopes form a stack, so the last one pushed must be popped first
         let errors: Vec<_> = scopes.into_iter().rev().filter_map(|scope| pollster::block_on(scope.pop())).collect();
         match errors.first() {
             Some(error) => Err(GpuError::Device(error.to_string())),
@@ -39,31 +41,31 @@ impl Gpu {
         }
     }
 
-    /// Name and driver of the adapter.
+    /// Returns the name and the driver of the adapter.
     #[must_use]
     pub fn name(&self) -> String {
         format!("{} ({} {})", self.info.name, self.info.driver, self.info.driver_info)
     }
 
-    /// How programs reach the driver.
+    /// Returns how programs reach the driver.
     #[must_use]
     pub fn mode(&self) -> Mode {
         self.mode
     }
 
-    /// Where division and root come from on it.
+    /// Returns where division and square root come from on this device.
     #[must_use]
     pub fn words(&self) -> Intrinsics {
         self.words
     }
 
-    /// What its driver promises about floats if asked, as strict mode asks it.
+    /// Returns the float controls that the driver offers. Strict mode requests all of these.
     #[must_use]
     pub fn float_controls(&self) -> FloatControls {
         self.float_controls
     }
 
-    /// A shader module of a complete program whose entry point is `main`.
+    /// Creates the shader module of a complete program whose entry point is `main`.
     pub(crate) fn module(&self, label: &str, wgsl: &str, workgroup: u32) -> Result<wgpu::ShaderModule, GpuError> {
         match self.mode {
             Mode::Plain => Ok(self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
@@ -83,8 +85,8 @@ impl Gpu {
             spirv: Some(Cow::Owned(words)),
             ..Default::default()
         };
-        // SAFETY: the words are naga's, of a validated module and with its bounds checks; only decorations were added, and
-        // float controls that this device offers.
+        // SAFETY: the SPIR-V comes from naga, which validated the module and added bounds checks. Only decorations
+        // were added, and float controls that this device offers.
         unsafe { self.device.create_shader_module_passthrough(descriptor) }
     }
 }

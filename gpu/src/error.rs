@@ -1,122 +1,126 @@
-//! Every way in which the GPU backend can refuse.
+//! Errors of the GPU backend.
 use crate::float_controls::FloatControls;
 use millpond_core::{SceneError, StepError};
 
-/// Why there is no device, no pipeline or no step.
+/// Why a device, a pipeline or a step is not available.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum GpuError {
-    /// No adapter at all, or none of that name.
-    #[error("no GPU adapter{}", .wanted.as_ref().map(|w| format!(" whose name contains {w:?}")).unwrap_or_default())]
+    /// There is no adapter, or none whose name contains the given text.
+    #[error(
+        "no GPU adapter was found{}: install its driver, or a software driver",
+        .wanted.as_ref().map(|w| format!(" whose name contains {w:?}")).unwrap_or_default()
+    )]
     NoAdapter {
-        /// Part of the name that was asked for.
+        /// Part of the name that was requested.
         wanted: Option<String>,
     },
-    /// The adapter gave no device.
-    #[error("adapter {adapter} gives no device: {reason}")]
+    /// The adapter could not open a device.
+    #[error("adapter {adapter} could not open a device: {reason}")]
     NoDevice {
-        /// Its name.
+        /// Name of the adapter.
         adapter: String,
-        /// What wgpu says.
+        /// The message of wgpu.
         reason: String,
     },
-    /// Strict mode needs SPIR-V passed through to the driver, which this adapter does not offer.
-    #[error("strict mode needs Vulkan with pass-through shaders; adapter {adapter} ({backend}) has none")]
+    /// Strict mode passes SPIR-V through to the driver, which this adapter does not support.
+    #[error(
+        "strict mode needs Vulkan with pass-through shaders, which adapter {adapter} ({backend}) lacks: use plain mode"
+    )]
     NoStrictMode {
-        /// Its name.
+        /// Name of the adapter.
         adapter: String,
-        /// Vulkan, Metal ...
+        /// Name of its backend: Vulkan, Metal ...
         backend: String,
     },
-    /// The device computes a word of the terms otherwise than core, even in strict mode.
+    /// The device computes an intrinsic with other bits than core, even in strict mode.
     #[error(
-        "adapter {adapter} computes `{word}` with other bits than the CPU ({differing} of {tried} inputs); {}",
+        "adapter {adapter} computes `{word}` unlike the CPU for {differing} of {tried} inputs: use plain mode; {}",
         .controls.lack()
     )]
     LooseArithmetic {
-        /// Its name.
+        /// Name of the adapter.
         adapter: String,
-        /// The first word that differs.
+        /// The first intrinsic that differs.
         word: &'static str,
-        /// Inputs whose results differ.
+        /// Number of inputs whose results differ.
         differing: usize,
-        /// Inputs tried.
+        /// Number of inputs tried.
         tried: usize,
-        /// What its driver was asked for, since it offers it.
+        /// The float controls that the driver offers, all of which were requested.
         controls: FloatControls,
     },
-    /// A choice that only the CPU has.
-    #[error("{choice} is for the CPU alone: {why}")]
+    /// The scene makes a choice that only the CPU supports.
+    #[error("{choice} is supported on the CPU only: {why}")]
     CpuOnly {
-        /// Which.
+        /// The choice: its field and value.
         choice: &'static str,
-        /// Why.
+        /// Why a device does not support it, and what to choose instead.
         why: &'static str,
     },
-    /// A shader was refused: a defect of this crate.
-    #[error("shader refused: {0}")]
+    /// The shader compiler rejected a program. This is a defect of this crate.
+    #[error("the shader compiler rejected a program, which is a defect of millpond: {0}")]
     Shader(String),
-    /// An array is larger than the device takes.
-    #[error("{array} needs {bytes} bytes, and the device takes {limit}")]
+    /// A buffer would be larger than the device allows.
+    #[error("buffer {array} needs {bytes} bytes, but the device allows {limit}: use fewer particles or grid cells")]
     TooLarge {
-        /// Which array.
+        /// Name of the buffer, usually that of an array.
         array: &'static str,
-        /// Its size.
+        /// Size that is needed, bytes.
         bytes: u64,
-        /// The device's limit.
+        /// Largest size that the device allows, bytes.
         limit: u64,
     },
-    /// A pass of the scene binds more storage buffers than the device takes.
+    /// A pass of the scene binds more storage buffers than the device allows.
     #[error(
-        "pass {pass} of this scene binds {needed} storage buffers, and the device takes {limit}: leave out a feature of the scene"
+        "pass {pass} binds {needed} storage buffers, but the device allows {limit}: switch off a feature of the scene"
     )]
     TooManyBuffers {
-        /// Which pass.
+        /// Name of the pass.
         pass: &'static str,
-        /// Buffers that it binds.
+        /// Number of storage buffers that it binds.
         needed: u32,
-        /// The device's limit.
+        /// Largest number that the device allows.
         limit: u32,
     },
-    /// The device has no clock that a pass could read.
-    #[error("adapter {adapter} cannot time its passes: it offers no timestamp queries")]
+    /// The device offers no timestamp queries, so passes cannot be timed.
+    #[error("adapter {adapter} lacks timestamp queries, which time passes: use another adapter, or step without times")]
     NoPassTimes {
-        /// Its name.
+        /// Name of the adapter.
         adapter: String,
     },
-    /// A step of more passes than can be timed at once.
+    /// A step has more passes than can be timed at once.
     #[error(
-        "a step of this scene runs {passes} passes, and at most {most} can be timed: lower model.correction.iterations"
+        "a step of this scene runs {passes} passes, but at most {most} can be timed: lower model.correction.iterations"
     )]
     TooManyPasses {
-        /// Passes of a step, repetitions counted.
+        /// Number of passes of a step, repetitions included.
         passes: usize,
-        /// The most.
+        /// Largest number of passes that can be timed.
         most: usize,
     },
-    /// The device stopped answering.
+    /// The device failed, or stopped responding.
     #[error("the device failed: {0}")]
     Device(String),
-    /// A change before the first step, which begins with the accelerations that the CPU evaluated.
-    #[error(
-        "{call} comes before the fluid's first step: call it on the CPU solver that the device starts from, before GpuSolver::new"
-    )]
+    /// A change was made before the first step. That step begins with accelerations that the CPU has already
+    /// evaluated.
+    #[error("{call} was called before the first step: call it on the CPU solver, before GpuSolver::new")]
     BeforeFirstStep {
-        /// What was called.
+        /// Name of the function that was called.
         call: &'static str,
     },
-    /// More steps than a device can count.
-    #[error("{steps} steps are more than the {most} that a device can count: restart it from a CPU solver")]
+    /// More steps were made or requested than a device can count.
+    #[error("a device cannot count {steps} steps, only {most}: continue on the CPU, or start a new solver")]
     TooManySteps {
-        /// Steps that were made or asked for.
+        /// Number of steps made or requested, counted from the start of the simulation.
         steps: u64,
-        /// The most.
+        /// Largest number of steps that a device can count.
         most: u64,
     },
-    /// A step could not be made; the fluid is as it was before it.
+    /// A step failed. The fluid is as it was before that step.
     #[error(transparent)]
     Step(#[from] StepError),
-    /// What a host gave does not fit the scene.
+    /// Input from the caller does not fit the scene.
     #[error(transparent)]
     Scene(#[from] SceneError),
 }
@@ -131,12 +135,12 @@ mod tests {
             let (adapter, word) = ("Pond".into(), "flush");
             GpuError::LooseArithmetic { adapter, word, differing: 3, tried: 8, controls }.to_string()
         };
-        let start = "adapter Pond computes `flush` with other bits than the CPU (3 of 8 inputs); the driver ";
+        let start = "adapter Pond computes `flush` unlike the CPU for 3 of 8 inputs: use plain mode; the driver ";
         let all = FloatControls { denorm_preserve: true, rounding_rte: true, signed_zero_inf_nan_preserve: true };
         let lacking = "does not offer DenormPreserve for 32-bit floats, so it may flush denormals";
         assert_eq!(refusal(FloatControls { denorm_preserve: false, ..all }), format!("{start}{lacking}"));
-        let nor = "nor RoundingModeRTE, so it may round otherwise than to nearest; nor SignedZeroInfNanPreserve, so it may \
-                   ignore the sign of zero, infinities and NaN";
+        let nor = "nor RoundingModeRTE, so it may round otherwise than to nearest; nor SignedZeroInfNanPreserve, so it \
+                   may ignore the sign of zero, infinities and NaN";
         assert_eq!(refusal(FloatControls::default()), format!("{start}{lacking}; {nor}"));
         let none = "was asked for every float control of 32 bits and offers them all";
         assert_eq!(refusal(all), format!("{start}{none}"));

@@ -1,29 +1,31 @@
-//! What a driver promises about floats if a program asks for it: SPIR-V's float controls, for 32 bits.
+//! SPIR-V's float controls for 32-bit floats: guarantees about float arithmetic that a driver gives if a program
+//! requests them.
 //!
-//! A driver that offers none of them may still compute as core does, and one that offers all of them may not: the words'
-//! test ([`crate::intrinsics`]) is the judge. But a driver that flushes denormals unless it is asked to keep them is asked.
+//! A driver that offers none of them may still compute as core does, and one that offers all of them may not, so the
+//! test of the intrinsics ([`crate::intrinsics`]) decides. Some drivers flush denormals unless a program requests
+//! otherwise, so every control that is offered is requested.
 
-/// Which of the float controls a driver offers for 32 bits. None by default.
+/// The float controls that a driver offers for 32-bit floats; none by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FloatControls {
-    /// Denormals are kept, as operands and as results.
+    /// Denormals are preserved, as operands and as results.
     pub denorm_preserve: bool,
-    /// Results are rounded to the nearest, ties to even.
+    /// Results are rounded to nearest, ties to even.
     pub rounding_rte: bool,
-    /// No formula is rewritten as if -0 were 0, or infinities and NaN did not occur.
+    /// No expression is rewritten on the assumption that -0 equals 0, or that infinities and NaN do not occur.
     pub signed_zero_inf_nan_preserve: bool,
 }
 
-/// One of them, as SPIR-V has it.
+/// One float control, as defined by SPIR-V.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct FloatControl {
-    /// The name of its capability and of its execution mode.
+    /// Name of its capability and of its execution mode.
     name: &'static str,
     /// What a driver may do without it.
     without: &'static str,
-    /// The number of the capability.
+    /// Number of the capability.
     pub(crate) capability: u32,
-    /// The number of the execution mode.
+    /// Number of the execution mode.
     pub(crate) mode: u32,
 }
 
@@ -39,8 +41,8 @@ const SIGNED_ZERO_INF_NAN_PRESERVE: FloatControl = FloatControl {
 };
 
 impl FloatControls {
-    /// What the driver of this device offers, and what can be asked for on it: nothing outside Vulkan, and nothing below
-    /// Vulkan 1.2, where it would take an extension that wgpu does not enable.
+    /// Returns the controls that the driver of this device offers and that a program can request. There are none
+    /// outside Vulkan, and none below Vulkan 1.2, where they would need an extension that wgpu does not enable.
     #[must_use]
     pub fn offered_by(device: &wgpu::Device) -> FloatControls {
         offered_by(device)
@@ -54,12 +56,13 @@ impl FloatControls {
         ]
     }
 
-    /// Those that are offered.
+    /// Returns the controls that are offered.
     pub(crate) fn offered(self) -> impl Iterator<Item = FloatControl> {
         self.each().into_iter().filter_map(|(control, offered)| offered.then_some(control))
     }
 
-    /// The end of a sentence about a driver that computes otherwise than core: what it does not offer, and what follows.
+    /// Returns the end of an error message about a driver that computes differently from core: the controls that it
+    /// does not offer, and what it may do without them.
     pub(crate) fn lack(self) -> String {
         let lacking = self.each().into_iter().filter_map(|(control, offered)| (!offered).then_some(control));
         let clause = |(i, FloatControl { name, without, .. }): (usize, FloatControl)| match i {
@@ -74,25 +77,26 @@ impl FloatControls {
     }
 }
 
-// where wgpu has Vulkan with the features that this crate asks of it
+// the platforms on which wgpu supports Vulkan with the features that this crate requires
 #[cfg(any(windows, target_os = "linux", target_os = "android", target_os = "freebsd"))]
 #[expect(unsafe_code, reason = "wgpu does not tell what a driver offers for floats, so Vulkan itself is asked")]
 fn offered_by(device: &wgpu::Device) -> FloatControls {
     use ash::vk;
-    // SAFETY: the guard is only read from, and dropped before the device is.
+    // SAFETY: the guard is only read from, and it is dropped before the device.
     let Some(raw) = (unsafe { device.as_hal::<wgpu::hal::api::Vulkan>() }) else {
         return FloatControls::default();
     };
     let (instance, physical) = (raw.shared_instance(), raw.raw_physical_device());
     let vulkan = instance.raw_instance();
-    // SAFETY: a physical device is valid as long as its instance, which the guard keeps.
+    // SAFETY: a physical device is valid as long as its instance, which the guard keeps alive.
     let version = unsafe { vulkan.get_physical_device_properties(physical) }.api_version;
     if instance.instance_api_version().min(version) < vk::API_VERSION_1_2 {
         return FloatControls::default();
     }
     let mut controls = vk::PhysicalDeviceFloatControlsProperties::default();
     let mut properties = vk::PhysicalDeviceProperties2::default().push_next(&mut controls);
-    // SAFETY: as above; instance and device have Vulkan 1.2, so both the call and the structure in the chain are core.
+    // SAFETY: as above; instance and device support Vulkan 1.2, so both the call and the structure in the chain are
+    // part of core Vulkan.
     unsafe { vulkan.get_physical_device_properties2(physical, &mut properties) };
     FloatControls {
         denorm_preserve: controls.shader_denorm_preserve_float32 == vk::TRUE,

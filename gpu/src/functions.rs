@@ -1,4 +1,5 @@
-//! The terms as WGSL, function by function: a program gets those that it calls, and no driver reads the others.
+//! The terms (core's formulas) as WGSL functions. A program contains only those that it calls, so drivers do not have
+//! to compile the others.
 use crate::text::wgsl_of;
 use millpond_core::backend::terms::texts;
 use std::collections::BTreeMap;
@@ -8,11 +9,11 @@ use std::sync::OnceLock;
 #[derive(Debug)]
 struct Function {
     text: String,
-    /// The functions that it names.
+    /// Indices of the functions that its text names.
     calls: Vec<usize>,
 }
 
-/// All of them, by their names, and the constants beside them.
+/// All functions of the terms, by name, and the constants beside them.
 #[derive(Debug)]
 pub(crate) struct Functions {
     constants: String,
@@ -21,13 +22,13 @@ pub(crate) struct Functions {
 }
 
 impl Functions {
-    /// Those of the terms, read once.
+    /// Returns the functions of the terms, which are parsed once.
     pub(crate) fn of_terms() -> &'static Functions {
         static TERMS: OnceLock<Functions> = OnceLock::new();
         TERMS.get_or_init(|| Functions::read(texts().map(|(_, text)| wgsl_of(text))))
     }
 
-    /// Those of these texts, in which a function ends with the first brace that begins a line.
+    /// Parses the functions of these texts. A function ends at the first line that consists of a closing brace.
     fn read(texts: impl Iterator<Item = String>) -> Functions {
         let mut functions = Functions { constants: String::new(), all: Vec::new(), by_name: BTreeMap::new() };
         for text in texts {
@@ -53,13 +54,13 @@ impl Functions {
         functions
     }
 
-    /// The functions that a text names.
+    /// Returns the indices of the functions that a text names.
     fn named_in(&self, text: &str) -> Vec<usize> {
         let words = text.split(|c: char| !c.is_alphanumeric() && c != '_');
         words.filter_map(|word| self.by_name.get(word).copied()).collect()
     }
 
-    /// The constants, and the functions that a text calls, or those that these call, and so on.
+    /// Returns the constants and all functions that a text calls, directly or through other functions.
     pub(crate) fn called_in(&self, text: &str) -> String {
         let mut is_called = vec![false; self.all.len()];
         let mut rest = self.named_in(text);
@@ -72,7 +73,7 @@ impl Functions {
         called.fold(self.constants.clone(), |text, (function, _)| text + &function.text)
     }
 
-    /// All of them.
+    /// Returns the constants and all functions.
     pub(crate) fn whole(&self) -> String {
         self.all.iter().fold(self.constants.clone(), |text, function| text + &function.text)
     }

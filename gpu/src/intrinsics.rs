@@ -1,5 +1,5 @@
-//! Does a device compute the words of the terms as core does? Tried out on every device that is opened in strict mode:
-//! only where every word gives core's bits can a step.
+//! Tests whether a device computes the intrinsics of the terms as core does. The test runs on every device that is
+//! opened in strict mode: a step can have core's bits only if every intrinsic has them.
 use crate::buffers::{Maker, read};
 use crate::device::Gpu;
 use crate::error::GpuError;
@@ -7,15 +7,15 @@ use crate::pipelines::dispatch_once;
 use millpond_core::backend::arithmetic::real::{abs, div, floor, flush, larger, less, root, select, smaller};
 use millpond_core::backend::layout::{WORKGROUP, f32x4};
 
-/// A word, or a spelling that drivers like to rewrite.
+/// An intrinsic, or an expression that drivers tend to rewrite.
 struct Word {
     name: &'static str,
-    /// In WGSL, of `v.x`, `v.y`, `v.z`; results are compared as bits.
+    /// WGSL expression in `v.x`, `v.y`, `v.z` and `v.w`. Results are compared as bits.
     wgsl: &'static str,
     rust: fn(f32x4) -> f32,
 }
 
-/// All of them. `v.w` is positive.
+/// All intrinsics and expressions to be tested. `v.w` is positive.
 const WORDS: &[Word] = &[
     Word { name: "div", wgsl: "div(v.x, v.w)", rust: |v| div(v[0], v[3]) },
     Word { name: "root", wgsl: "root(v.w)", rust: |v| root(v[3]) },
@@ -24,7 +24,7 @@ const WORDS: &[Word] = &[
     Word { name: "smaller", wgsl: "smaller(v.x, v.y)", rust: |v| smaller(v[0], v[1]) },
     Word { name: "select", wgsl: "select(v.x, v.y, less(v.z, v.x))", rust: |v| select(v[0], v[1], less(v[2], v[0])) },
     Word { name: "flush", wgsl: "flush(v.x * 1.0e-38f)", rust: |v| flush(v[0] * 1.0e-38) },
-    // beyond the usual range: large and small operands, and what a device that flushes denormals gives away
+    // beyond the usual range: large and small operands, and operands that reveal a device that flushes denormals
     Word { name: "div, wide", wgsl: "div(v.x * 1.0e18f, v.w * 1.0e-10f)", rust: |v| div(v[0] * 1e18, v[3] * 1e-10) },
     Word { name: "root, wide", wgsl: "root(v.w * 1.0e-30f)", rust: |v| root(v[3] * 1e-30) },
     Word { name: "denormal product", wgsl: "v.x * 1.0e-38f * v.y", rust: |v| v[0] * 1e-38 * v[1] },
@@ -35,29 +35,30 @@ const WORDS: &[Word] = &[
     },
     Word { name: "floor", wgsl: "floor(v.x * 1000.0f)", rust: |v| floor(v[0] * 1000.0) },
     Word { name: "product into sum", wgsl: "v.x * v.y + v.z", rust: |v| v[0] * v[1] + v[2] },
-    // written (x + y) * z by the optimisers of two drivers, unless they are told not to
+    // the optimisers of two drivers rewrite this as (x + y) * z unless they are told not to
     Word { name: "common factor", wgsl: "v.x * v.z + v.y * v.z", rust: |v| v[0] * v[2] + v[1] * v[2] },
     Word { name: "constant chain", wgsl: "(v.x * 0.1f) * 0.3f", rust: |v| (v[0] * 0.1) * 0.3 },
 ];
 
-/// Inputs tried: enough that a rewriting that touches one result in a thousand is seen.
+/// Number of inputs tried, enough to detect a rewrite that changes one result in a thousand.
 const INPUTS: usize = 1 << 14;
 
-/// What was found of a word.
+/// Result of the test of one intrinsic.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct WordReport {
-    /// Which.
+    /// Name of the intrinsic.
     pub word: &'static str,
-    /// Inputs tried.
+    /// Number of inputs tried.
     pub tried: usize,
-    /// Of these, those whose result has other bits than core's.
+    /// Number of inputs whose results have other bits than core's.
     pub differing: usize,
 }
 
-/// Tries every word on a device, with this vocabulary ([`Intrinsics::prelude`](crate::program::Intrinsics::prelude)).
+/// Tests every intrinsic on a device, with the definitions in `prelude`
+/// ([`Intrinsics::prelude`](crate::program::Intrinsics::prelude)).
 ///
 /// # Errors
-/// The device failed, or refused the program.
+/// The device failed, or rejected the program.
 pub fn test_intrinsics(gpu: &Gpu, prelude: &str) -> Result<Vec<WordReport>, GpuError> {
     let inputs = inputs();
     let results = WORDS.len() * INPUTS;
@@ -75,7 +76,7 @@ pub fn test_intrinsics(gpu: &Gpu, prelude: &str) -> Result<Vec<WordReport>, GpuE
     Ok(WORDS.iter().enumerate().map(report).collect())
 }
 
-/// Numbers of both signs around 1, the last of the four positive.
+/// Returns vectors whose first three components lie between -2 and 2, and whose fourth lies between 0 and 4.
 fn inputs() -> Vec<f32x4> {
     let mut seed = 1u32;
     let mut random = || {

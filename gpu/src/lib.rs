@@ -1,10 +1,11 @@
-//! millpond-gpu: the same step on a wgpu device.
+//! millpond-gpu: the time step of millpond-core on a wgpu device.
 //!
-//! The buffers hold core's bytes, the programs are core's terms taken as text, and each loop in `shaders/` stands beside
-//! the one of the same name in core's `passes/`. In [`Mode::Strict`] the results are those of the CPU to the last bit.
+//! The buffers hold the same bytes as core's arrays, the programs are generated from the Rust text of core's terms (its
+//! formulas), and each loop in `shaders/` corresponds to the loop of the same name in core's `passes/`. In
+//! [`Mode::Strict`] the results equal those of the CPU to the last bit.
 //!
-//! Read in this order: [`bindings`] (which pass touches what), [`text`] and [`program`] (how WGSL is made), [`strict`]
-//! (why a driver obeys), [`solver`].
+//! Suggested reading order: [`bindings`] (which pass accesses which buffer), [`text`] and [`program`] (how WGSL is
+//! generated), [`strict`] (what keeps a driver from changing float arithmetic), [`solver`].
 
 pub mod bindings;
 pub mod device;
@@ -16,6 +17,7 @@ pub mod solver;
 pub mod strict;
 pub mod text;
 
+mod advance;
 mod buffers;
 mod functions;
 mod open;

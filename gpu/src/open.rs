@@ -1,4 +1,5 @@
-//! Choosing a device. Any adapter will do, a software one too; for strict mode it must pass the words' test.
+//! Opens a device. Any adapter will do, including a software one; for strict mode it must pass the test of the
+//! intrinsics.
 use crate::device::{Gpu, Mode};
 use crate::error::GpuError;
 use crate::float_controls::FloatControls;
@@ -6,11 +7,11 @@ use crate::intrinsics::{WordReport, test_intrinsics};
 use crate::program::Intrinsics;
 
 impl Gpu {
-    /// Opens the first adapter whose name contains `wanted` (any, without) and that has this mode, hardware before
-    /// software.
+    /// Opens the first adapter that supports `mode` and whose name contains `wanted` (any name for `None`). Hardware
+    /// adapters are tried before software adapters.
     ///
     /// # Errors
-    /// No adapter of that name, or why the last of them was no good.
+    /// No adapter has that name, or the reason why the last adapter tried could not be used.
     pub fn open(wanted: Option<&str>, mode: Mode) -> Result<Gpu, GpuError> {
         let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
         if mode == Mode::Strict {
@@ -30,11 +31,11 @@ impl Gpu {
         Err(refused)
     }
 
-    /// A device that the host has already, for a renderer and a fluid that share it. Strict mode needs Vulkan and
-    /// [`wgpu::Features::PASSTHROUGH_SHADERS`] among its features.
+    /// Uses a device that your program has already opened, so that a renderer and a fluid can share it. Strict mode
+    /// needs Vulkan and [`wgpu::Features::PASSTHROUGH_SHADERS`] among the features of the device.
     ///
     /// # Errors
-    /// No strict mode on it.
+    /// The device does not support strict mode, or an intrinsic has other bits on it than on the CPU.
     pub fn with_device(
         device: wgpu::Device,
         queue: wgpu::Queue,
@@ -65,20 +66,21 @@ impl Gpu {
             wanted.required_features = strict;
             wanted.experimental_features = experimental();
         }
-        // only to say how long a pass took
+        // needed only to time passes
         wanted.required_features |= adapter.features() & wgpu::Features::TIMESTAMP_QUERY;
-        // buffers may be as large as the adapter takes
+        // buffers may be as large as the adapter allows
         let limits = adapter.limits();
         wanted.required_limits.max_storage_buffer_binding_size = limits.max_storage_buffer_binding_size;
         wanted.required_limits.max_buffer_size = limits.max_buffer_size;
-        // most scenes bind eight in a pass, wgpu's default; a scene that binds more is refused by name where there are fewer
+        // most scenes bind at most eight storage buffers in a pass, wgpu's default limit; where a scene binds more than
+        // the adapter allows, an error names the pass
         wanted.required_limits.max_storage_buffers_per_shader_stage = limits.max_storage_buffers_per_shader_stage;
         let (device, queue) = pollster::block_on(adapter.request_device(&wanted))
             .map_err(|e| GpuError::NoDevice { adapter: info.name.clone(), reason: e.to_string() })?;
         Gpu::with_device(device, queue, info, mode)
     }
 
-    /// Refuses words that differ from core's.
+    /// Returns an error if an intrinsic has other bits than core's.
     fn verify_intrinsics(&self) -> Result<(), GpuError> {
         let reports = self.with_error_scopes(|| test_intrinsics(self, &self.words.prelude()))?;
         match reports.into_iter().find(|report| report.differing > 0) {
@@ -97,6 +99,6 @@ fn no_strict_mode(info: &wgpu::AdapterInfo) -> GpuError {
 
 #[expect(unsafe_code, reason = "wgpu counts pass-through among its experimental features")]
 fn experimental() -> wgpu::ExperimentalFeatures {
-    // SAFETY: the one experimental feature in use is pass-through, and it is given only naga's own valid SPIR-V.
+    // SAFETY: pass-through is the only experimental feature in use, and it is given only valid SPIR-V from naga.
     unsafe { wgpu::ExperimentalFeatures::enabled() }
 }

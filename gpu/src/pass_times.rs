@@ -1,9 +1,9 @@
-//! How long each pass takes on a device, by the device's own clock.
+//! Times each pass on a device by the device's own clock.
 use crate::buffers::read;
 use crate::device::Gpu;
 use crate::error::GpuError;
 
-/// Room for the times at which each dispatch of a step begins and ends.
+/// Timestamp queries for the beginning and the end of each dispatch of a step.
 pub(crate) struct PassClock {
     queries: wgpu::QuerySet,
     ticks: wgpu::Buffer,
@@ -11,7 +11,7 @@ pub(crate) struct PassClock {
 }
 
 impl PassClock {
-    /// For a step of so many dispatches.
+    /// Creates the queries for a step with this number of dispatches.
     pub(crate) fn new(gpu: &Gpu, dispatches: usize) -> Result<PassClock, GpuError> {
         if !gpu.device.features().contains(wgpu::Features::TIMESTAMP_QUERY) {
             return Err(GpuError::NoPassTimes { adapter: gpu.name() });
@@ -34,7 +34,7 @@ impl PassClock {
         Ok(PassClock { queries, ticks, dispatches })
     }
 
-    /// What the `i`-th dispatch is begun with.
+    /// Returns the timestamp writes for the compute pass of the `i`-th dispatch.
     pub(crate) fn around(&self, i: usize) -> wgpu::ComputePassTimestampWrites<'_> {
         let first = 2 * i as u32;
         wgpu::ComputePassTimestampWrites {
@@ -44,12 +44,12 @@ impl PassClock {
         }
     }
 
-    /// Recorded after the last dispatch.
+    /// Resolves the queries into a buffer. This is recorded after the last dispatch.
     pub(crate) fn resolve(&self, encoder: &mut wgpu::CommandEncoder) {
         encoder.resolve_query_set(&self.queries, 0..2 * self.dispatches as u32, &self.ticks, 0);
     }
 
-    /// How long each dispatch took, ms.
+    /// Returns the duration of each dispatch, ms.
     pub(crate) fn milliseconds(&self, gpu: &Gpu) -> Result<Vec<f64>, GpuError> {
         let ticks: Vec<[u64; 2]> = read(gpu, &self.ticks, self.dispatches)?;
         let nanoseconds = f64::from(gpu.queue.get_timestamp_period());

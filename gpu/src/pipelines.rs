@@ -1,4 +1,5 @@
-//! A step as the device is told of it: for each command of the schedule a pipeline, its bind groups for both directions, its work groups.
+//! A step as commands for the device: each command of the schedule gets a pipeline, bind groups for both roles of the
+//! two states, and its number of work groups.
 use crate::bindings::{Declared, UNIFORMS, bound, cell_blocks, declared, workgroup};
 use crate::buffers::{Buffers, UNIFORM_STRIDE};
 use crate::device::Gpu;
@@ -13,7 +14,7 @@ use millpond_core::{Array, Pass, Plan};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-/// Most work groups along one dimension of a dispatch (WebGPU's default limit).
+/// Largest number of work groups along one dimension of a dispatch (WebGPU's default limit).
 const MOST_GROUPS: u32 = 65_535;
 
 /// One dispatch.
@@ -21,12 +22,12 @@ const MOST_GROUPS: u32 = 65_535;
 pub(crate) struct Dispatch {
     pass: Pass,
     pipeline: wgpu::ComputePipeline,
-    /// With state 0, and with state 1, as the old one.
+    /// Bind groups with state 0, and with state 1, as the old state.
     groups: [wgpu::BindGroup; 2],
     size: [u32; 2],
 }
 
-/// Makes dispatches of commands; a pass that runs more than once has one pipeline.
+/// Creates dispatches from commands. A pass that runs more than once has one pipeline.
 struct Recorder<'g> {
     gpu: &'g Gpu,
     buffers: &'g Buffers,
@@ -36,7 +37,8 @@ struct Recorder<'g> {
     pipelines: BTreeMap<usize, (wgpu::BindGroupLayout, wgpu::ComputePipeline)>,
 }
 
-/// The dispatches of a step. All repetitions of an iteration are among them; on the device those after the last needed one do nothing.
+/// Returns the dispatches of a step. They include all repetitions of an iteration; on the device the repetitions after
+/// the last one needed do nothing.
 pub(crate) fn dispatches(
     gpu: &Gpu,
     plan: &Plan,
@@ -80,7 +82,7 @@ impl Recorder<'_> {
         Ok(Dispatch { pass, pipeline, groups, size: self.size(pass) })
     }
 
-    /// What a command binds when state `old` is the old one.
+    /// Returns what a command binds when state `old` is the old one.
     fn resources(&self, command: Command, pass: Pass, old: usize) -> Vec<wgpu::BindingResource<'_>> {
         let Buffers { parameters, step, materials, tables, head, .. } = self.buffers;
         let array = |array: Array, side: Side| self.buffers.array(array, side, old).as_entire_binding();
@@ -117,7 +119,7 @@ impl Recorder<'_> {
         all
     }
 
-    /// Work groups of a pass, in rows.
+    /// Returns the number of work groups of a pass, in rows.
     fn size(&self, pass: Pass) -> [u32; 2] {
         let groups = match pass.threads() {
             Threads::Particles => self.particles.div_ceil(workgroup(pass)),
@@ -129,7 +131,7 @@ impl Recorder<'_> {
 }
 
 impl Dispatch {
-    /// The pass that it runs.
+    /// Returns the pass that it runs.
     pub(crate) fn pass(&self) -> Pass {
         self.pass
     }
@@ -141,13 +143,13 @@ impl Dispatch {
     }
 }
 
-/// So many work groups, in rows that a dispatch may have; the last of them may stay without work.
+/// Arranges work groups in rows that are no longer than a dispatch allows. Groups at the end may have no work.
 fn in_rows(groups: u32) -> [u32; 2] {
     let rows = groups.div_ceil(MOST_GROUPS).max(1);
     [groups.div_ceil(rows), rows]
 }
 
-/// Records one step from state `old`; with `clock`, the times at which each dispatch begins and ends.
+/// Records one step from state `old`. With `clock`, it also records the times at which each dispatch begins and ends.
 pub(crate) fn record(
     dispatches: &[Dispatch],
     encoder: &mut wgpu::CommandEncoder,
@@ -168,7 +170,7 @@ pub(crate) fn record(
     }
 }
 
-/// Runs a program of two storage buffers, one read and one written, once.
+/// Runs a program with two storage buffers once. The program reads the first buffer and writes the second.
 pub(crate) fn dispatch_once(
     gpu: &Gpu,
     label: &str,
@@ -190,7 +192,7 @@ pub(crate) fn dispatch_once(
     Ok(())
 }
 
-/// Pipeline of a pass, with the layout of its bindings.
+/// Creates the pipeline of a pass, and the layout of its bindings.
 fn pipeline(gpu: &Gpu, pass: Pass, model: &Model) -> Result<(wgpu::BindGroupLayout, wgpu::ComputePipeline), GpuError> {
     let kind = |declared: &Declared| match declared.access {
         Some(access) => wgpu::BufferBindingType::Storage { read_only: access == Access::Read },
@@ -207,7 +209,7 @@ fn pipeline(gpu: &Gpu, pass: Pass, model: &Model) -> Result<(wgpu::BindGroupLayo
     make_pipeline(gpu, pass.name(), &program(pass, model, gpu.words), workgroup(pass), &kinds)
 }
 
-/// Pipeline of a complete program whose bindings 0, 1, 2 ... are buffers of these kinds.
+/// Creates the pipeline of a complete program whose bindings 0, 1, 2 ... are buffers of these kinds.
 fn make_pipeline(
     gpu: &Gpu,
     label: &str,

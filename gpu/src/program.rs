@@ -1,4 +1,5 @@
-//! The complete WGSL of a pass: prelude, layout, choices, arrays, loop, entry point, and the terms that they call.
+//! The complete WGSL program of a pass: intrinsics, struct layouts, the choices of the model, arrays, loop, entry
+//! point, and the terms (core's formulas) that these call.
 use crate::bindings::{CELL_BLOCK, declarations, reads_pairs, workgroup};
 use crate::functions::Functions;
 use millpond_core::Pass;
@@ -7,24 +8,24 @@ use millpond_core::backend::layout::{
     TABLE_WORDS,
 };
 
-/// Where division and root come from.
+/// Where division and square root come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Intrinsics {
-    /// The device's own.
+    /// The operations of the device.
     Native,
-    /// The device's own, corrected by integers: for a device that is a little off.
+    /// The operations of the device, corrected with integer arithmetic, for a device whose results are slightly off.
     Exact,
 }
 
 impl Intrinsics {
-    /// The vocabulary: `div`, `root` and all that WGSL lacks beside them.
+    /// Returns the WGSL of the intrinsics: `div`, `root` and everything else that WGSL lacks.
     #[must_use]
     pub fn prelude(self) -> String {
         let words = match self {
             Intrinsics::Native => include_str!("shaders/intrinsics_native.wgsl"),
             Intrinsics::Exact => include_str!("shaders/intrinsics_exact.wgsl"),
         };
-        // in WGSL the order of declarations is free
+        // in WGSL declarations may stand in any order
         words.to_owned() + include_str!("shaders/prelude.wgsl")
     }
 }
@@ -32,7 +33,8 @@ impl Intrinsics {
 macro_rules! loop_texts {
     ($($(#[$doc:meta])* $pass:ident: $folder:ident / $file:ident, $threads:ident, $status:ident, if $runs:expr,
         [$($access:ident $array:ident $(@ $bound:ident)?),*];)*) => {
-        /// The loop of a pass, as written; none for a pass of the host's.
+        /// Returns the loop of a pass as written in `shaders/`, or an empty function for a pass that runs on the CPU
+        /// only.
         #[must_use]
         fn loop_text(pass: Pass) -> &'static str {
             match pass { $(Pass::$pass => loop_text_of!($threads $folder $file),)* }
@@ -50,13 +52,13 @@ macro_rules! loop_text_of {
 }
 millpond_core::with_passes!(loop_texts);
 
-/// The vocabulary and all terms, without a pass: what a test of a single term needs.
+/// Returns the intrinsics and all terms without a pass, for tests of single terms.
 #[must_use]
 pub fn library(model: &Model, words: Intrinsics) -> String {
     vocabulary(model, words) + &Functions::of_terms().whole()
 }
 
-/// The vocabulary, the scene's constants and its choices.
+/// Returns the intrinsics, the constants of the scene and its choices.
 fn vocabulary(model: &Model, words: Intrinsics) -> String {
     let mut out = words.prelude();
     out += &format!("alias Planes = array<f32x4, {PLANES}>;\nalias MaterialRows = array<f32x4, {MATERIALS}>;\n");
@@ -70,14 +72,14 @@ fn vocabulary(model: &Model, words: Intrinsics) -> String {
         out += &format!("@group(0) @binding({binding}) var<uniform> {name}: {kind};\n");
     }
     out += include_str!("shaders/constants.wgsl");
-    // the choices are constants, so that what is not chosen is compiled away
+    // the choices are constants, so that the compiler removes the branches that are not chosen
     out += Model::WGSL;
     let choices: Vec<String> = bytemuck::cast_slice::<_, u32>(&[*model]).iter().map(|c| format!("{c}u")).collect();
     out += &format!("const m = Model({});\n", choices.join(", "));
     out
 }
 
-/// The program of a pass, its entry point named `main`.
+/// Returns the program of a pass. Its entry point is named `main`.
 #[must_use]
 pub fn program(pass: Pass, model: &Model, words: Intrinsics) -> String {
     let mut out = vocabulary(model, words);

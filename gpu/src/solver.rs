@@ -13,7 +13,7 @@ use millpond_core::backend::live::{Change, LiveScene};
 use millpond_core::backend::plan::arrays::{Class, Side};
 use millpond_core::backend::save::{Record, saved_bytes, write};
 use millpond_core::backend::terms::integrate::history_rescaled;
-use millpond_core::backend::{SteadyTime, verdict};
+use millpond_core::backend::{Pace, SteadyTime, verdict};
 use millpond_core::glam::Vec3;
 use millpond_core::scene::Wind;
 use millpond_core::{AirReport, Array, CorrectionReport, Pass, SceneError, Solver, TimeReport};
@@ -27,14 +27,17 @@ const STEPS_PER_SUBMISSION: usize = 8;
 /// A fluid on a device.
 #[derive(Debug)]
 pub struct GpuSolver {
-    gpu: Gpu,
-    buffers: Buffers,
+    pub(crate) gpu: Gpu,
+    pub(crate) buffers: Buffers,
     dispatches: Vec<Dispatch>,
     live: LiveScene,
-    uniform: StepUniform,
+    pub(crate) uniform: StepUniform,
     steady: SteadyTime,
     fingerprint: u64,
     first_step: u64,
+    pub(crate) pace: Pace,
+    /// Up to when [`GpuSolver::advance`] was asked for steps, s.
+    pub(crate) due: f64,
     /// Steps that count.
     steps: u64,
     /// Steps that were recorded, those that do not count too.
@@ -111,6 +114,8 @@ impl GpuSolver {
             steady: solver.steady_time(),
             fingerprint: solver.fingerprint(),
             first_step: solver.steps(),
+            pace: Pace::of(&plan.model, parameters),
+            due: solver.due(),
             steps: solver.steps(),
             attempts: 0,
         })
@@ -283,7 +288,7 @@ impl GpuSolver {
     }
 
     /// Does its time step follow from the state?
-    fn is_adaptive(&self) -> bool {
+    pub(crate) fn is_adaptive(&self) -> bool {
         self.buffers.model().is_adaptive == 1
     }
 
@@ -351,12 +356,24 @@ impl GpuSolver {
     /// # Errors
     /// The device failed.
     pub fn time_report(&self) -> Result<TimeReport, GpuError> {
-        let mut report = TimeReport::of(&self.status()?);
-        if !self.is_adaptive() {
-            report.time = self.steady.after(self.steps, self.uniform.time_step);
-            report.next = self.uniform.time_step;
+        let report = TimeReport::of(&self.status()?);
+        Ok(if self.is_adaptive() {
+            report
+        } else {
+            TimeReport { wanted: report.wanted, time_step: report.time_step, ..self.steady_report() }
+        })
+    }
+
+    /// What the clock shows where all steps are alike, without asking the device.
+    pub(crate) fn steady_report(&self) -> TimeReport {
+        let step = self.uniform.time_step;
+        TimeReport {
+            time: self.steady.after(self.steps, step),
+            time_step: step,
+            wanted: step,
+            next: step,
+            ..TimeReport::default()
         }
-        Ok(report)
     }
 
     /// What became of the coat of air, as [`Solver::air`] says it; all zero where a scene has none.

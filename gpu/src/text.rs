@@ -1,9 +1,10 @@
-//! From the terms' Rust text to WGSL: drop what only Rust needs, mark the literals.
+//! Translates the Rust text of the terms (core's formulas) to WGSL: removes what only Rust needs, and marks float
+//! literals.
 
-/// The WGSL of a term's text.
+/// Returns the WGSL of a term's Rust text.
 ///
-/// Drops comments, `use`, `mod` and attribute lines, `pub `, `<R: Real>` and the `<R>` of structs, and the arguments `m`, `p`, `u` and
-/// `t`, which are global in WGSL.
+/// Removes comments, `use`, `mod` and attribute lines, `pub `, `<R: Real>`, the `<R>` of structs, and the arguments
+/// `m`, `p`, `u` and `t`, which are global in WGSL.
 #[must_use]
 pub fn wgsl_of(rust: &str) -> String {
     let mut out = String::new();
@@ -24,11 +25,11 @@ pub fn wgsl_of(rust: &str) -> String {
         for (rust, wgsl) in [("<R: Real>", ""), ("Local<R>", "Local"), ("Stiffness<R>", "Stiffness")] {
             code = code.replace(rust, wgsl);
         }
-        // a function of nothing else
+        // a function without any other argument
         for alone in ["(m: &Model)", "(m)"] {
             code = code.replace(alone, "()");
         }
-        // declared in this order, passed on in this order, each of them only where it is needed
+        // these arguments are declared and passed in this order, each only where it is needed
         let arguments = [
             ("m: &Model, ", "m, "),
             ("p: &Parameters, ", "p, "),
@@ -44,7 +45,8 @@ pub fn wgsl_of(rust: &str) -> String {
     out
 }
 
-/// `0.1` to `0.1f`. Without it WGSL folds `0.1 * 0.7 * 0.3` in f64, Rust in f32, and no strict mode helps.
+/// Turns `0.1` into `0.1f`. Without the suffix WGSL folds `0.1 * 0.7 * 0.3` in f64, whereas Rust folds it in f32;
+/// strict mode could not prevent that difference.
 fn mark_literals(code: &str) -> String {
     let mut out = String::new();
     let mut rest = code;

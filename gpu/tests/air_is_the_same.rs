@@ -1,7 +1,7 @@
-//! Promise: a device in strict mode makes the same coat of air as the CPU, bit for bit, and counts the same births for which none is
-//! left.
+//! Promise: a device in strict mode creates the same layer of air as the CPU, bit for bit, and counts the same number
+//! of spawn requests that find no inactive air particle.
 //!
-//! That the CPU's coat is right is for `core/tests/air_keeps_its_bits.rs`.
+//! `core/tests/air_keeps_its_bits.rs` checks that the CPU's layer of air is right.
 use millpond_core::scene::Dimension;
 use millpond_core::{OwnedMemory, Serial, Solver};
 use millpond_gpu::{GpuSolver, Mode};

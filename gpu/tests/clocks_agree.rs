@@ -1,7 +1,8 @@
-//! Promise: where the time step follows the state, a device's clock shows the bits of the CPU's, however many steps are recorded
-//! at once; and a step that it refuses leaves clock and state alone, by the same error after the same step.
+//! Promise: with an adaptive time step, a device's clock has the same bits as the CPU's, however many steps are
+//! recorded at once. A step that the device refuses leaves clock and state unchanged, with the same error after the
+//! same step.
 //!
-//! That the CPU's clock is right is for `core/tests/steps_follow_the_state.rs`.
+//! `core/tests/steps_follow_the_state.rs` checks that the CPU's clock is right.
 use millpond_core::scene::GridStructure;
 use millpond_core::{OwnedMemory, Serial, Solver, StepError};
 use millpond_gpu::{GpuError, GpuSolver, Mode};
@@ -33,7 +34,7 @@ fn a_device_keeps_the_same_clock() {
 fn a_refused_step_leaves_the_clock_alone() {
     let Some(gpu) = device("clocks_agree, refused", Mode::Strict) else { return };
     let mut undone = 0;
-    // as many places as the fullest cell has at the start, and more: some steps are undone before they are refused
+    // from as many places as the fullest cell needs at the start upwards: some steps are undone before one is refused
     for places in 12..18 {
         let mut scene = impact();
         scene.grid.structure = GridStructure::CellLists { places };

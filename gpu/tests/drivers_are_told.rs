@@ -1,13 +1,13 @@
-//! Promise: what strict mode asks of a driver stands in the SPIR-V that it gets: `NoContraction` on every result of float
-//! arithmetic, and those float controls that the device offers, no others. Without a device: what a driver makes of it
-//! is for `vocabulary_parity.rs`.
+//! Promise: the SPIR-V that a driver gets in strict mode contains everything that strict mode requests: `NoContraction`
+//! on every result of float arithmetic, and exactly those float controls that the device offers. The test needs no
+//! device; `vocabulary_parity.rs` checks how drivers compute.
 use millpond_gpu::FloatControls;
 use millpond_gpu::strict::spirv;
 
-/// An instruction: its number and its operands.
+/// An instruction: its opcode and its operands.
 type Instruction = (u32, Vec<u32>);
 
-/// Reads a module, whose instructions must fill it to the last word.
+/// Parses a module, whose instructions must fill it to the last word.
 fn instructions(words: &[u32]) -> Vec<Instruction> {
     assert_eq!(words[0], 0x0723_0203, "SPIR-V");
     let mut out = Vec::new();
@@ -21,7 +21,8 @@ fn instructions(words: &[u32]) -> Vec<Instruction> {
     out
 }
 
-/// The section of a module in which an instruction stands; everything from the first function on is the last.
+/// Returns the section of a module to which an instruction belongs. Everything from the first function on is the last
+/// section.
 fn section(op: u32) -> u32 {
     match op {
         17 => 0,                     // capabilities
@@ -42,13 +43,13 @@ fn operands(module: &[Instruction], op: u32) -> Vec<&[u32]> {
     module.iter().filter(|(o, _)| *o == op).map(|(_, operands)| &operands[..]).collect()
 }
 
-/// Letters of an instruction's string.
+/// Decodes the string of an instruction.
 fn text(words: &[u32]) -> String {
     let letters = words.iter().flat_map(|word| word.to_le_bytes()).take_while(|&letter| letter != 0);
     String::from_utf8(letters.collect()).expect("letters")
 }
 
-/// Something of every operator that a driver may rewrite.
+/// A program with every operator that a driver may rewrite.
 const PROGRAM: &str = "
     @group(0) @binding(0) var<storage, read_write> a: array<vec4<f32>>;
     fn chain(x: f32) -> f32 { return (x * 0.1f) * 0.3f - x / 3.0f; }
@@ -58,7 +59,7 @@ const PROGRAM: &str = "
         a[thread.x].w = chain(sqrt(v.x)) + dot(v, v);
     }";
 
-/// Every choice of controls.
+/// Returns every combination of float controls.
 fn choices() -> impl Iterator<Item = FloatControls> {
     (0..8).map(|bits| FloatControls {
         denorm_preserve: bits & 1 != 0,
@@ -71,7 +72,7 @@ fn choices() -> impl Iterator<Item = FloatControls> {
 fn controls_stand_where_they_are_asked_for_and_nowhere_else() {
     for controls in choices() {
         let module = instructions(&spirv(PROGRAM, controls).expect("it compiles"));
-        // capability and execution mode, by SPIR-V's numbers
+        // SPIR-V's numbers of the capability and of the execution mode
         let all = [
             (controls.denorm_preserve, 4464, 4459),
             (controls.rounding_rte, 4467, 4462),

@@ -1,6 +1,7 @@
-//! Promise: every shared struct has the same bytes in WGSL as in Rust, and no pass binds more than wgpu's default allows.
+//! Promise: every shared struct has the same bytes in WGSL as in Rust, and no pass binds more storage buffers than wgpu
+//! allows by default.
 //!
-//! naga reads the complete program of every pass; no device is needed.
+//! naga parses the complete program of every pass, so no device is needed.
 use millpond_core::backend::layout::{Materials, Model, Parameters, Status, StepUniform, f32x4, u32x4};
 use millpond_core::{Pass, Plan};
 use millpond_gpu::program::{Intrinsics, program};
@@ -14,7 +15,7 @@ fn module(pass: Pass) -> Module {
     validate(&program(pass, &plan.model, Intrinsics::Native)).unwrap_or_else(|e| panic!("{}: {e}", pass.name())).0
 }
 
-/// Name, offset and size of the members of a WGSL struct, and its size.
+/// Returns the name, offset and size of each member of a WGSL struct, and the size of the struct.
 fn members(module: &Module, name: &str) -> (Vec<(String, usize, usize)>, usize) {
     let (_, found) = module.types.iter().find(|(_, t)| t.name.as_deref() == Some(name)).expect("the struct is used");
     let TypeInner::Struct { members, span } = &found.inner else { panic!("{name} is no struct") };

@@ -1,4 +1,5 @@
-//! Promise: a step whose passes are timed is the same step, and each pass that the plan runs on a device has its time.
+//! Promise: timing the passes of a step does not change a bit of its result, and each pass that the plan runs on a
+//! device is timed.
 use millpond_core::backend::plan::passes::Threads;
 use millpond_core::{OwnedMemory, Plan, Solver};
 use millpond_gpu::{GpuError, GpuSolver, Mode};

@@ -1,5 +1,6 @@
-//! Promise: a device refuses what the CPU refuses, by the same error after the same step, and leaves every bit of the state as it
-//! was, however many steps it was told of; and what is missing before it can start is told by name.
+//! Promise: a device refuses what the CPU refuses, with the same error after the same step, and leaves every bit of the
+//! state unchanged, however many steps were requested. If something is missing before a device can start, the error
+//! names it.
 use millpond_core::scene::Traversal;
 use millpond_core::{Plan, Serial, Solver};
 use millpond_gpu::{FloatControls, Gpu, GpuError, GpuSolver, Mode};
@@ -21,7 +22,7 @@ fn a_step_that_is_refused() {
         (0..good).for_each(|_| solver.step(&Serial).expect("a good step"));
         assert_eq!(solver.step(&Serial), Err(error), "{name}, on the CPU");
         for _ in 0..2 {
-            // many more steps are recorded than can be made
+            // more steps are recorded than can succeed
             let refused = fluid.step(20);
             assert!(matches!(refused, Err(GpuError::Step(e)) if e == error), "{name}: {refused:?}");
             assert!(words_of(&fluid) == Words::of_cpu(&solver), "{name}");
@@ -46,5 +47,5 @@ fn the_choice_that_only_the_cpu_has() {
     let mut heap = heap_for(&scene, checked(&scene).derived().particles());
     let solver = Solver::new(&scene, heap.lend()).expect("a scene that starts");
     let told = GpuSolver::new(&gpu, &solver).expect_err("no device adds to two particles at once").to_string();
-    assert!(told.starts_with("grid.traversal HalfStencil is for the CPU alone: "), "{told}");
+    assert!(told.starts_with("grid.traversal HalfStencil is supported on the CPU only: "), "{told}");
 }

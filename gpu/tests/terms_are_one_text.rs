@@ -1,5 +1,6 @@
-//! Promise: the text of the terms is the whole physics on both sides. Every pass compiles as WGSL without a device, uses
-//! no builtin whose bits are a driver's affair, and the shaders' folders hold exactly the passes.
+//! Promise: the text of the terms (core's formulas) is the whole physics on the CPU and on a device. Every pass
+//! compiles as WGSL without a device and uses no builtin whose bits may differ between drivers, and the shader folders
+//! hold exactly the passes.
 use millpond_core::backend::layout::Model;
 use millpond_core::backend::plan::passes::Threads;
 use millpond_core::backend::terms::texts;
@@ -18,20 +19,20 @@ fn model() -> Model {
     Plan::everything(&support::checked(&support::dam_break(1.0))).model
 }
 
-/// All functions of a program: name, body, and what naga knows of its types.
+/// Returns all functions of a program: name, body, and naga's information about types.
 fn functions((module, info): &Program) -> impl Iterator<Item = (String, &Function, &FunctionInfo)> {
     let entries = module.entry_points.iter().enumerate();
     let entries = entries.map(|(i, e)| (e.name.clone(), &e.function, info.get_entry_point(i)));
     module.functions.iter().map(|(i, f)| (f.name.clone().unwrap_or_default(), f, &info[i])).chain(entries)
 }
 
-/// A program as naga reads it.
+/// A program as parsed by naga.
 type Program = (Module, ModuleInfo);
 
 #[test]
 fn every_pass_and_every_term_compiles_as_wgsl() {
     for words in [Intrinsics::Native, Intrinsics::Exact] {
-        // a program has the terms that it calls
+        // the program of a pass contains only the terms that it calls, so all terms are validated here
         if let Err(error) = validate(&library(&model(), words)) {
             panic!("all terms, {words:?}: {error}");
         }
@@ -45,12 +46,12 @@ fn every_pass_and_every_term_compiles_as_wgsl() {
     }
 }
 
-/// Is it a literal 0, which drivers fold even in strict mode?
+/// Returns whether an operand is the literal 0, which drivers fold even in strict mode.
 fn is_float_zero(function: &Function, operand: Handle<Expression>) -> bool {
     matches!(function.expressions[operand], Expression::Literal(Literal::F32(x)) if x == 0.0)
 }
 
-/// What a lint over naga's reading of a program finds: builtins and operators that may differ between drivers.
+/// Returns the builtins and operators in a program whose results may differ between drivers.
 fn loose(program: &Program) -> BTreeSet<String> {
     let mut found = BTreeSet::new();
     for (name, function, info) in functions(program) {
@@ -92,7 +93,7 @@ fn no_program_uses_a_loose_builtin() {
             assert_eq!(loose(&read), BTreeSet::new(), "{}, {words:?}", pass.name());
         }
     }
-    // and the lint can fail
+    // the lint finds every fault of a bad program
     let bad = "fn f(x: f32, i: i32) -> f32 { return pow(x, 2.0) / x + 0.0 + max(x, f32(min(i, 2) / i)); }";
     let found = ["f: Divide", "f: Max", "f: Pow", "f: literal 0"].map(str::to_owned);
     assert_eq!(loose(&validate(bad).expect("it compiles")), BTreeSet::from(found));

@@ -1,9 +1,9 @@
-//! Promise: every word of the terms gives core's bits on a device in strict mode; and strict mode is what does it: in
-//! plain mode lavapipe rewrites two spellings that strict mode keeps.
+//! Promise: every intrinsic of the terms gives core's bits on a device in strict mode, and strict mode is the reason:
+//! in plain mode lavapipe rewrites two expressions that strict mode preserves.
 //!
-//! A device whose division or root is a little off is put right by words of integers.
+//! Where the division or square root of a device is slightly off, integer arithmetic corrects the result.
 //!
-//! This localises what `bits_same_on_gpu.rs` only detects.
+//! This test localises differences that `bits_same_on_gpu.rs` only detects.
 use millpond_gpu::Mode;
 use millpond_gpu::intrinsics::test_intrinsics;
 use millpond_gpu::program::Intrinsics;
@@ -25,7 +25,7 @@ fn every_word_keeps_its_bits_in_strict_mode() {
 #[test]
 fn exact_words_put_right_what_a_loose_device_gets_wrong() {
     let Some(gpu) = device("vocabulary_parity, loose", Mode::Strict) else { return };
-    // a device that is off by so many units in the last place, up or down
+    // simulates a device whose results are off by 1 or 3 units in the last place, up or down
     for off in ["+ 1u", "- 1u", "+ 3u", "- 3u"] {
         let loosened = |words: Intrinsics| {
             let loose = |x: &str| format!("bitcast<f32>(bitcast<u32>({x}) {off})");
@@ -45,7 +45,8 @@ fn plain_mode_breaks_a_spelling_that_strict_mode_keeps() {
     let Some(gpu) = device("vocabulary_parity, plain", Mode::Plain) else { return };
     let reports = test_intrinsics(&gpu, &gpu.words().prelude()).expect("a device that answers");
     let differing = |word: &str| reports.iter().find(|r| r.word == word).map(|r| r.differing);
-    // 40 % were measured there; other drivers may keep it, which proves nothing about them
+    // with lavapipe (llvmpipe) 40 % of the results differed; other drivers may keep these expressions, so they are not
+    // tested
     if gpu.name().contains("llvmpipe") {
         assert!(differing("common factor") > Some(1000), "{reports:?}");
         assert!(differing("constant chain") > Some(1000), "{reports:?}");

@@ -1,4 +1,4 @@
-//! The arguments that commands share.
+//! Arguments shared by several commands.
 use crate::failure::Failure;
 use crate::run_length::RunLength;
 use crate::scenes::Changes;
@@ -6,30 +6,30 @@ use clap::{Args, ValueEnum};
 use millpond_core::scene::Scene;
 use std::path::PathBuf;
 
-/// Where a scene runs.
+/// The backend that a scene runs on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum BackendName {
-    /// The CPU, by lanes and threads.
+    /// The CPU, with SIMD and threads
     Cpu,
-    /// A wgpu device, in strict mode.
+    /// A GPU by way of wgpu, in strict mode
     Gpu,
 }
 
-/// What every command about a scene takes.
+/// Arguments of every command that takes a scene.
 #[derive(Clone, Debug, Args)]
 pub struct Common {
-    /// A built-in scene's name, or a scene file
+    /// Name of a built-in scene, or path of a scene file
     pub scene: String,
     #[command(flatten)]
     #[expect(missing_docs, reason = "its fields say it to the user")]
     pub changes: Changes,
-    /// Threads of the CPU backend (0: as many as there are cores)
+    /// Number of threads of the CPU backend (0: one per core)
     #[arg(long, default_value_t = 0, value_name = "N")]
     pub threads: usize,
-    /// One JSON document on stdout, everything else on stderr
+    /// Print one JSON document on stdout, and everything else on stderr
     #[arg(long)]
     pub json: bool,
-    /// Folder for reports, plots and pictures
+    /// Folder to write reports, plots and pictures to
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }
@@ -37,19 +37,19 @@ pub struct Common {
 /// How long a scene runs.
 #[derive(Clone, Copy, Debug, Default, Args)]
 pub struct Length {
-    /// Time steps to make
+    /// Number of time steps to make
     #[arg(long, value_name = "N", conflicts_with = "time")]
     pub steps: Option<u64>,
-    /// Simulated seconds to run
+    /// Simulated time to run, s
     #[arg(long, value_name = "SECONDS")]
     pub time: Option<f64>,
 }
 
 impl Length {
-    /// As a span, `otherwise` where nothing was said.
+    /// Returns the run length that the user asked for, or that of `otherwise` if neither option was given.
     ///
     /// # Errors
-    /// A time that is none.
+    /// A time that is negative, not finite or too long.
     pub fn of(
         self,
         scene: &Scene,

@@ -1,13 +1,14 @@
-//! The commands.
+//! The command line: subcommands and their dispatch.
 use crate::failure::Failure;
 use crate::output::{print_json, say};
 use crate::scenes::{BUILT_IN, Changes, load};
 use crate::{bench, check, compare, error_study, plan_view, run, showcase, stability};
 use clap::{Parser, Subcommand};
 
-/// A deterministic, fixed-capacity SPH fluid: run it, compare its backends bit for bit, weigh error against run time.
+/// Runs a deterministic, fixed-capacity SPH fluid, compares its backends bit for bit, and measures error against run
+/// time
 ///
-/// Without a command: the showcase, in about a minute.
+/// Without a command, millpond runs the showcase, which takes about a minute.
 #[derive(Debug, Parser)]
 #[command(name = "millpond", version)]
 pub struct Cli {
@@ -17,33 +18,35 @@ pub struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Run a scene, draw it if asked
+    /// Run a scene, and draw pictures of it with --out
     Run(run::Options),
-    /// Run a scene on every path, scalar, lanes, threads, both grids, GPU, and compare every bit at every step
+    /// Run a scene on every path (scalar, SIMD, threads, both grid structures, GPU) and compare every bit after every
+    /// step
     Compare(compare::Options),
-    /// Time the steps of a scene, pass by pass
+    /// Measure the time of a step, in total and for each pass
     Bench(bench::Options),
-    /// Show what a scene needs, and what it leaves out
+    /// Show which passes and arrays a scene needs, and which it does without
     Plan(plan_view::Options),
-    /// Weigh error against run time
+    /// Measure error against run time for several resolutions, time steps and formulas
     Error(error_study::Options),
-    /// Hold the fluid against references from outside: named studies with limits
+    /// Check the fluid against theory and experiments: named studies with limits
     Check(check::Options),
-    /// Map the largest stable time step of a scene over axes such as stiffness and integrator; of `tower`, Hinsch's figures
+    /// Map the largest stable time step of a scene over axes such as stiffness and integrator; for `tower`, reproduce
+    /// the analysis of Hinsch 2024
     Stability(stability::Options),
     /// List the built-in scenes
     Scenes {
-        /// One JSON document on stdout
+        /// Print the list as JSON on stdout
         #[arg(long)]
         json: bool,
     },
 }
 
 impl Cli {
-    /// Does what was asked; false where a promise failed.
+    /// Runs the given command. Returns false if a promise was not kept, such as equal bits on two backends.
     ///
     /// # Errors
-    /// What could not be done, with its exit status.
+    /// Why the command could not be carried out; [`Failure::exit_status`] gives the exit status.
     pub fn execute(self) -> Result<bool, Failure> {
         match self.command {
             None => showcase::execute(),

@@ -1,4 +1,4 @@
-//! `compare`: one scene on every path at once, every bit held against the scalar one after every step.
+//! `compare`: runs a scene on all paths in lockstep, and compares every bit with the scalar path after every step.
 use crate::arguments::{BackendName, Common, Length};
 use crate::failure::Failure;
 use crate::fluid::{device_if_any, start};
@@ -25,18 +25,18 @@ pub struct Options {
     common: Common,
     #[command(flatten)]
     length: Length,
-    /// Compare with the other paths of the CPU only, or with the GPU only and fail where there is none (default: with every path)
+    /// Compare with the other paths of the CPU only, or with the GPU only, which then must exist (default: all paths)
     #[arg(long)]
     backend: Option<BackendName>,
-    /// Also run the GPU in plain mode, which promises no bits
+    /// Also run the GPU in plain mode, which does not promise equal bits
     #[arg(long)]
     plain: bool,
 }
 
-/// Steps where nobody says otherwise.
+/// Default number of steps.
 const DEFAULT_STEPS: u64 = 200;
 
-/// A path of computation that is held against the reference.
+/// A path of computation that is compared with the scalar path.
 struct Candidate<'a> {
     path: Path<'a>,
     pair: Pair,
@@ -63,10 +63,10 @@ impl Path<'_> {
     }
 }
 
-/// Runs `compare`; true where every path kept its promise.
+/// Runs `compare`. Returns false if a path did not keep its promise.
 ///
 /// # Errors
-/// A scene that cannot run, a step that cannot be made, no GPU where one is wanted.
+/// A scene that cannot run, a step that fails, or a GPU that is required and missing.
 pub fn execute(options: &Options) -> Result<bool, Failure> {
     let named = load(&options.common.scene, &options.common.changes)?;
     let file = &named.file;
@@ -87,18 +87,19 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
     Ok(comparison.kept())
 }
 
-/// What is held against the scalar path.
+/// The paths that are compared with the scalar path.
 #[derive(Debug)]
 pub struct Paths {
-    /// The other paths of the CPU.
+    /// Whether to include the other paths of the CPU.
     pub cpu: bool,
-    /// Threads of the one that has several.
+    /// Number of threads of the path with several threads.
     pub threads: usize,
-    /// Devices.
+    /// GPUs to include.
     pub devices: Vec<Gpu>,
 }
 
-/// The same fluid by the other of the two ways to find neighbours, with room for cells four times as full as at the start.
+/// Returns the scene with the other grid structure. Cell lists get four times as many places per cell as the fullest
+/// cell needs at the start, and at least 64.
 fn other_grid(scene: &Scene, solver: &mut Solver<'_>) -> Scene {
     let mut other = scene.clone();
     other.grid.structure = match scene.grid.structure {
@@ -110,11 +111,12 @@ fn other_grid(scene: &Scene, solver: &mut Solver<'_>) -> Scene {
     other
 }
 
-/// Holds every path against the scalar one over a span. `tamper` may change what the first of them says before it
-/// is looked at: so a test shows that the comparison can fail.
+/// Compares every path with the scalar path over a run. `tamper` may change the state of the first path before it is
+/// compared; tests use it to show that the comparison can fail.
 ///
 /// # Errors
-/// A scene that cannot run; a step that the scalar path cannot make. A path that fails alone is told in its pair.
+/// A scene that cannot run, or a step that fails on the scalar path. The failure of another path is recorded in its
+/// pair.
 pub fn compare(
     named: &LoadedScene,
     span: RunLength,
@@ -128,7 +130,7 @@ pub fn compare(
     let mut level_heaps: Vec<_> = Simd::available().skip(1).map(|simd| (simd, OwnedMemory::of(scene))).collect();
     let mut reference = start(&named.name, scene, first)?.at_level(Simd::Scalar);
     let other = other_grid(scene, &mut reference);
-    // a grid with so many places may be more than any scene can have
+    // cell lists with so many places may exceed the memory limit of a scene
     let needs = other.check().ok().map(|other| Requirements::of(&other)).filter(|needs| needs.bytes() <= MOST_BYTES);
     let with_other = needs.is_some();
     let mut other_heap = needs.as_ref().map(OwnedMemory::with).unwrap_or_default();
@@ -136,11 +138,12 @@ pub fn compare(
     let mut enter = |b: String, promised: bool, path| {
         rivals.push(Candidate { path, pair: Pair::new(b, promised), times: Vec::new() });
     };
-    // a device refuses the half stencil; beside the CPU's other paths it is left out
+    // a GPU does not support the half stencil, so it is left out if there are other paths of the CPU to compare
     let leaves_out = paths.cpu && scene.grid.traversal == Traversal::HalfStencil;
     if leaves_out && !paths.devices.is_empty() {
         eprintln!(
-            "the GPU is left out: grid.traversal HalfStencil is for the CPU alone; set it to FullStencil to compare the GPU too"
+            "the GPU is left out: grid.traversal HalfStencil is only for the CPU; set it to FullStencil to compare the \
+             GPU too"
         );
     }
     for gpu in paths.devices.iter().filter(|_| !leaves_out) {
@@ -164,7 +167,7 @@ pub fn compare(
             cpu(&format!("{name}, other grid"), &other, &mut other_heap, best, &one)?;
         } else {
             eprintln!(
-                "the other grid is left out: its cells would take more than the {} GiB that a scene may use",
+                "the other grid structure is left out: it would need more than the limit of {} GiB",
                 MOST_BYTES >> 30
             );
         }

@@ -1,34 +1,36 @@
-//! The energy of a fluid as a whole, with what is stored in its compression, and the sound that this makes.
+//! The total mechanical energy of a fluid, including the energy stored in compression, and the speed of sound.
 use glam::Vec3;
 use millpond_core::backend::derive::{FluidConstants, speed_of_sound};
 use millpond_core::backend::hash::tree_sum;
 use millpond_core::scene::{EquationOfState, Fluid, PressureForce, Scene};
 use millpond_core::{Checked, Particle, Solver};
 
-/// How far the mechanical energy may rise above the least that it has been, as a share of the energy that the scene has to
-/// spend. What is left alone can only lose energy. A second-order step gives and takes about one per cent as sound passes;
-/// one that is too long multiplies it.
+/// Largest allowed rise of the mechanical energy above its smallest value so far, as a share of the available energy
+/// ([`scale`]). The energy of an undriven fluid can only decrease. With a second-order integrator it fluctuates by
+/// about 1 % as sound passes; with a time step that is too long it grows exponentially.
 pub(crate) const GROWTH_LIMIT: f64 = 0.05;
 
-/// Largest mean compression, as a share of the rest density. The equations of state are meant for 1 % (Monaghan 1994); at ten
-/// times that a fluid is neither water nor near to what its equation was made for.
+/// Largest allowed mean compression, as a share of the rest density. The equations of state are meant for 1 % (Monaghan
+/// 1994); at ten times that the fluid no longer behaves like water, and its equation of state is not valid.
 pub(crate) const DENSITY_LIMIT: f64 = 0.1;
 
-/// Fastest sound of a scene, m/s; none where pressure is iterated, and no sound limits the step.
+/// Returns the largest speed of sound of a scene, m/s; `None` with the pressure correction, where sound does not limit
+/// the time step.
 pub(crate) fn fastest_sound(scene: &Scene) -> Option<f64> {
     let iterated = scene.corrects_pressure();
     (!iterated).then(|| scene.fluids.iter().map(|fluid| speed_of_sound(scene, fluid)).fold(0.0, f64::max))
 }
 
-/// Energy stored in a fluid at a deviation e of its density, the integral of `P / rho^2` over the density, J/kg.
+/// Returns the energy stored in a fluid at a relative density deviation e: the integral of `P / rho^2` over the
+/// density, J/kg.
 fn stored(scene: &Scene, fluid: &Fluid, constants: &FluidConstants, deviation: f64) -> f64 {
-    // iterated pressure does not follow from density
+    // with the pressure correction, pressure is not a function of density
     if scene.corrects_pressure() {
         return 0.0;
     }
     let e = deviation;
     let by_state = constants.state_stiffness / f64::from(fluid.rest_density);
-    // where there is no suction there is no pressure below the rest density
+    // without negative pressure the pressure is 0 below the rest density
     let relaxed = e <= 0.0 && !scene.model.negative_pressure;
     let whole = match constants.equation_of_state {
         EquationOfState::Tait if !relaxed => by_state * (((1.0 + e).powi(6) - 1.0) / 6.0 + 1.0 / (1.0 + e) - 1.0),
@@ -36,13 +38,13 @@ fn stored(scene: &Scene, fluid: &Fluid, constants: &FluidConstants, deviation: f
         EquationOfState::IdealGas => by_state * e.ln_1p(),
         _ => 0.0,
     };
-    // Mueller's form is half of the gradient (Pirovano eq. 2.19), so it does half of the work
+    // Mueller's form gives half of the pressure gradient (Pirovano, eq. 2.19), so it does half of the work
     let half = matches!(scene.model.pressure_force, PressureForce::Mueller | PressureForce::MuellerAdapted);
     if half { whole * 0.5 } else { whole }
 }
 
-/// Mechanical energy of the fluid, J (per metre of depth in 2D): of motion, in gravity, in springs, in its compression. Of
-/// surfaces and of near pressure it has no account.
+/// Returns the mechanical energy of the fluid, J (per metre of depth in 2D): kinetic, gravitational, elastic, and
+/// stored in compression. The energies of surface tension and of near pressure are not included.
 pub(crate) fn total(scene: &Checked<'_>, solver: &Solver<'_>) -> f64 {
     let energies = solver.energies();
     let compressed = sum(scene, solver, |fluid, constants, particle| {
@@ -51,8 +53,9 @@ pub(crate) fn total(scene: &Checked<'_>, solver: &Solver<'_>) -> f64 {
     energies.kinetic + energies.potential + energies.elastic + compressed
 }
 
-/// Energy that a scene at its start has to spend, J: its motion, the fall of its weight by its own height, and what near
-/// pressure may hold, which nobody counts. Where there is none of these, what would compress it as far as is allowed.
+/// Returns the energy available to a scene at its start, J: kinetic energy, the potential energy of a fall by the
+/// fluid's own height, and a bound on the energy of near pressure, which [`total`] does not include. If all of these
+/// are 0, returns the energy of the largest allowed compression, [`DENSITY_LIMIT`].
 pub(crate) fn scale(scene: &Checked<'_>, solver: &Solver<'_>) -> f64 {
     let gravity = scene.gravity.to_array().map(f64::from);
     let heights = || {
@@ -62,13 +65,13 @@ pub(crate) fn scale(scene: &Checked<'_>, solver: &Solver<'_>) -> f64 {
     let (low, high) = (heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max));
     let spent = solver.energies().kinetic
         + sum(scene, solver, |_, constants, _| (high - low).max(0.0) + constants.near_stiffness);
-    // c^2 e^2 / 2 of each kilogram
+    // c^2 e^2 / 2, J/kg
     let compressed =
         |_: &Fluid, constants: &FluidConstants, _: &Particle| 0.5 * (DENSITY_LIMIT * constants.speed_of_sound).powi(2);
     if spent > 0.0 { spent } else { sum(scene, solver, compressed) }
 }
 
-/// Sum over the fluid of its particles' masses times `energy`, J/kg.
+/// Returns the sum of mass times `energy` (J/kg) over the particles of the fluid.
 fn sum(scene: &Checked<'_>, solver: &Solver<'_>, energy: impl Fn(&Fluid, &FluidConstants, &Particle) -> f64) -> f64 {
     let fluid: Vec<Particle> = solver.particles().filter(|particle| !particle.wall && !particle.inactive).collect();
     let volume = scene.derived().particle_mass / f64::from(scene.fluids[0].rest_density);
@@ -81,19 +84,19 @@ fn sum(scene: &Checked<'_>, solver: &Solver<'_>, energy: impl Fn(&Fluid, &FluidC
     tree_sum(fluid.len(), &of)
 }
 
-/// What does work on a fluid from outside, so that its energy may well grow; none where nothing does.
+/// Returns what does work on the fluid from outside, so that its energy may grow; `None` if nothing does.
 pub(crate) fn driven_by(scene: &Scene) -> Option<&'static str> {
     let along = |axis: usize| scene.gravity[axis] != 0.0 && scene.periodic.is_some_and(|periodic| periodic.axes[axis]);
     if (0..3).any(along) {
         return Some("gravity along a periodic axis");
     }
     if scene.air.is_some() {
-        return Some("air that is made");
+        return Some("spawned air");
     }
     if scene.wind.is_some() {
         return Some("the wind");
     }
-    scene.walls.iter().any(|wall| wall.velocity != Vec3::ZERO).then_some("a wall that slides")
+    scene.walls.iter().any(|wall| wall.velocity != Vec3::ZERO).then_some("a sliding wall")
 }
 
 #[cfg(test)]
@@ -111,7 +114,7 @@ mod tests {
         let mut scene = scene("still-tank");
         for equation in [EquationOfState::Tait, EquationOfState::Linear, EquationOfState::IdealGas] {
             scene.model.equation_of_state = equation;
-            // a gas has no weight to start with
+            // the hydrostatic start is not defined for an ideal gas
             scene.model.initialize_hydrostatic = false;
             let checked = scene.check().expect("a scene");
             let constants = checked.derived().fluid(0);

@@ -1,4 +1,4 @@
-//! `error`: how far off a case is, against how long it takes, over resolutions, time steps and formulas.
+//! `error`: error against run time of a case, over resolutions, time steps and formulas.
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::output::{deliver, make_folder, progress};
@@ -19,10 +19,10 @@ use std::time::Instant;
 pub struct Options {
     #[command(flatten)]
     common: Common,
-    /// Coarser and shorter: a quarter of a minute
+    /// Use coarser particles and a shorter time: about 15 seconds
     #[arg(long)]
     quick: bool,
-    /// Simulated seconds of each run
+    /// Simulated time of each run, s
     #[arg(long, value_name = "SECONDS")]
     time: Option<f64>,
 }
@@ -30,38 +30,38 @@ pub struct Options {
 /// Result of `error`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Study {
-    /// The case.
+    /// Name of the case.
     pub case: String,
-    /// All runs.
+    /// All runs, in the order in which they were made.
     pub runs: Vec<Run>,
     /// Labels of the runs that no other run beats in both error and time, fastest first.
     pub pareto: Vec<String>,
-    /// What the error is measured against.
+    /// The reference solution, in words.
     pub reference: String,
-    /// The plot, where a folder was given.
+    /// Path of the plot, if a folder was given.
     pub plot: Option<PathBuf>,
 }
 
 /// One run of a study.
 #[derive(Clone, Debug, Serialize)]
 pub struct Run {
-    /// Its name in tables and plots.
+    /// Name in tables and plots.
     pub label: String,
-    /// What was chosen.
+    /// Values of the varied settings.
     pub choice: BTreeMap<&'static str, String>,
-    /// Particles.
+    /// Number of particles.
     pub particles: usize,
     /// Time step, s.
     pub dt: f64,
     /// Wall time per simulated second, s.
     pub wall_s: f64,
-    /// L2 error of the pressure over the pressure at the floor; absent where the run failed.
+    /// L2 error of the pressure, divided by the pressure at the floor; absent if the run failed.
     pub error: Option<f64>,
-    /// Why it failed.
+    /// Why the run failed.
     pub failure: Option<String>,
 }
 
-/// What varies: spacings, and time steps as shares of `spacing / speed_of_sound`.
+/// Values of the varied settings: particle spacings, and time steps as multiples of `spacing / speed_of_sound`.
 #[derive(Clone, Copy, Debug)]
 pub struct Ladder {
     spacings: [f32; 3],
@@ -69,34 +69,34 @@ pub struct Ladder {
     seconds: f64,
 }
 
-/// The case that there is.
+/// Name of the only case.
 pub const CASE: &str = "still-tank";
 
-/// Longest run that one may ask for, s.
+/// Longest simulated time of a run, s.
 const LONGEST: f64 = 1000.0;
 
-/// Fields that the study sets itself.
+/// Fields that the study sets itself, so that `--set` must not.
 const STUDIED: [&str; 3] = ["particle_spacing", "time_step", "equation_of_state"];
 
 const FULL: Ladder = Ladder { spacings: [0.025, 0.0125, 0.00625], courant: [0.4, 0.2], seconds: 2.0 };
-/// Coarse and short, for the showcase.
+/// Coarse and short runs, for `--quick` and the showcase.
 pub const QUICK: Ladder = Ladder { spacings: [0.05, 0.025, 0.0125], courant: [0.4, 0.2], seconds: 1.0 };
 
-/// The profile is the mean over the second half of a run, so many steps apart: the column is let go at its rest density
-/// and rings for long, and a single state would show where the sound wave just is.
+/// Steps between two samples of the mean profile, which is taken over the second half of a run. The column starts at
+/// its rest density and oscillates for long, so a single state would depend on the phase of the sound wave.
 const STEPS_PER_SAMPLE: u64 = 5;
 
-/// Runs `error`.
+/// Runs `error`. Returns false if a run failed.
 ///
 /// # Errors
-/// An unknown case, files that cannot be written.
+/// An unknown case, options that the study does not allow, or files that cannot be written.
 pub fn execute(options: &Options) -> Result<bool, Failure> {
     let common = &options.common;
     if common.scene != CASE {
-        return Err(Failure::Call(format!("no case {:?}: there is {CASE}", common.scene)));
+        return Err(Failure::Call(format!("no case {:?}: the only one is {CASE}", common.scene)));
     }
     if common.changes.particles.is_some() {
-        return Err(Failure::Call("--particles has no meaning here: the spacings are the study's".into()));
+        return Err(Failure::Call("--particles has no meaning here: the study varies the particle spacing".into()));
     }
     let own = |change: &&String| STUDIED.iter().any(|f| change.split('=').next().is_some_and(|path| path.ends_with(f)));
     if let Some(change) = common.changes.set.iter().find(own) {
@@ -105,16 +105,17 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
     let mut ladder = if options.quick { QUICK } else { FULL };
     ladder.seconds = options.time.unwrap_or(ladder.seconds);
     if !(ladder.seconds > 0.0 && ladder.seconds <= LONGEST) {
-        return Err(Failure::Call(format!("--time {} is not between 0 and {LONGEST} s", ladder.seconds)));
+        return Err(Failure::Call(format!("--time {} must be larger than 0 and at most {LONGEST} s", ladder.seconds)));
     }
     let base = load(CASE, &common.changes)?;
-    // one thread gives the steadiest times
+    // times vary least with one thread
     let study = study(&base, &ladder, &Pool::new(common.threads.max(1))?, common.out.as_deref())?;
     deliver(common, "error-still-tank.md", &study, &table(&study))?;
     Ok(study.runs.iter().all(|run| run.error.is_some()))
 }
 
-/// The hydrostatic profile of `still-tank` over three spacings, two time steps and both equations of state.
+/// Measures the hydrostatic profile of `still-tank` for three spacings, two time steps and two equations of state (Tait
+/// and linear).
 ///
 /// # Errors
 /// Files that cannot be written.
@@ -155,7 +156,7 @@ pub fn study(base: &LoadedScene, ladder: &Ladder, pool: &Pool, folder: Option<&P
     bar.finish_and_clear();
     let pareto = pareto(&runs);
     let reference =
-        "hydrostatic pressure p = rho0 g (H - y), H the depth at the start, against the mean over the second half"
+        "hydrostatic pressure p = rho0 g (H - y), H being the initial depth; compared: mean over the second half"
             .into();
     let mut study = Study { case: CASE.into(), runs, pareto, reference, plot: None };
     if let Some(folder) = folder {
@@ -167,7 +168,7 @@ pub fn study(base: &LoadedScene, ladder: &Ladder, pool: &Pool, folder: Option<&P
     Ok(study)
 }
 
-/// Error of the mean profile, and wall time per simulated second.
+/// Returns the error of the mean profile and the wall time per simulated second, s.
 fn measure(base: &LoadedScene, scene: &Scene, pool: &Pool, seconds: f64) -> Result<(f64, f64), Failure> {
     let checked = scene.check().map_err(|error| Failure::Scene { origin: base.name.clone(), error })?;
     let mut heap = OwnedMemory::of(&checked);
@@ -186,7 +187,7 @@ fn measure(base: &LoadedScene, scene: &Scene, pool: &Pool, seconds: f64) -> Resu
     }
     let error = profile.hydrostatic_error(scene);
     if !error.is_finite() {
-        return Err(Failure::Call(format!("no profile after {steps} steps: too short a time, or no weight along -y")));
+        return Err(Failure::Call(format!("no profile after {steps} steps: time too short, or no gravity along -y")));
     }
     Ok((error, wall / (steps as f64 * f64::from(scene.time_step))))
 }
@@ -210,8 +211,8 @@ impl Profile {
         }
     }
 
-    /// L2 error of the mean pressure against `rho0 g (H - y)`, over the pressure at the floor. All particles count, those
-    /// at the walls too.
+    /// Returns the L2 error of the mean pressure against `rho0 g (H - y)`, divided by the pressure at the floor. All
+    /// particles count, also those at the walls.
     fn hydrostatic_error(&self, scene: &Scene) -> f64 {
         let depth = f64::from(scene.blocks.iter().map(|b| b.corner[1] + b.size[1]).fold(0.0, f32::max));
         let weight = f64::from(scene.fluids[0].rest_density) * f64::from(-scene.gravity[1]);
@@ -224,7 +225,7 @@ impl Profile {
     }
 }
 
-/// Labels of the runs that no other beats in both error and time, fastest first.
+/// Returns the labels of the runs that no other run beats in both error and time, fastest first.
 fn pareto(runs: &[Run]) -> Vec<String> {
     let mut done: Vec<(&Run, f64)> = runs.iter().filter_map(|run| run.error.map(|error| (run, error))).collect();
     done.sort_by(|(a, _), (b, _)| a.wall_s.total_cmp(&b.wall_s));
@@ -255,7 +256,7 @@ fn plot(study: &Study, path: &Path) -> Result<(), Failure> {
     front_plot(path, "still tank: error against run time", axes, &marks)
 }
 
-/// The study in words.
+/// Formats the study as a Markdown page.
 #[must_use]
 pub fn table(study: &Study) -> String {
     let mut out = format!("# {}: error against run time\n\nReference: {}.\n\n", study.case, study.reference);

@@ -1,65 +1,66 @@
-//! Why the program could not do what it was asked, and the exit status that says so.
+//! Errors that end a command, and their exit statuses.
 use millpond_core::{SceneError, StepError};
 use millpond_gpu::GpuError;
 use std::path::{Path, PathBuf};
 
-/// Anything that ends a command early.
+/// An error that ends a command early.
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
-    /// The call is wrong.
+    /// The arguments are wrong.
     #[error("{0}")]
     Call(String),
-    /// A scene file cannot be read as one.
+    /// A scene file cannot be parsed.
     #[error("{}:{line}: {message}", .file.display())]
     SceneText {
-        /// Which file.
+        /// The file.
         file: PathBuf,
-        /// Line of the fault.
+        /// Line of the error, counted from 1.
         line: usize,
-        /// What is wrong, with the field's name.
+        /// What is wrong, with the name of the field.
         message: String,
     },
-    /// A scene cannot run.
+    /// A scene is invalid or cannot start.
     #[error("{origin}: {error}")]
     Scene {
-        /// The scene, with file and line where they are known.
+        /// Name of the scene or the `--set` argument; file and line where they are known.
         origin: String,
         /// What is wrong.
         error: SceneError,
     },
-    /// A step failed.
+    /// A time step failed.
     #[error(transparent)]
     Step(#[from] StepError),
-    /// The GPU backend refused.
+    /// The GPU backend reported an error.
     #[error(transparent)]
     Gpu(GpuError),
     /// A file could not be read or written.
     #[error("{error}: {}", .path.display())]
     File {
-        /// Which.
+        /// Path of the file.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the operating system.
         error: std::io::Error,
     },
-    /// The system refused something else.
+    /// Another error of the operating system.
     #[error("{0}")]
     System(String),
 }
 
 impl Failure {
-    /// 1: done, and a promise failed. 2: the call or the scene is wrong. 3: no such backend here.
+    /// Returns the exit status: 1 if a step failed, 2 if the arguments or the scene are wrong, 3 if the backend is not
+    /// available.
     #[must_use]
     pub fn exit_status(&self) -> u8 {
         match self {
             Failure::Step(_) | Failure::Gpu(GpuError::Step(_)) => 1,
-            // a scene that no device could run
+            // no GPU could run this scene
             Failure::Gpu(GpuError::CpuOnly { .. }) => 2,
             Failure::Gpu(_) => 3,
             _ => 2,
         }
     }
 
-    /// A file that could not be read or written.
+    /// Returns a function that turns an I/O error into a failure with this path.
     pub fn file(path: &Path) -> impl FnOnce(std::io::Error) -> Failure {
         let path = path.to_owned();
         move |error| Failure::File { path, error }

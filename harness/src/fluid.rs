@@ -1,4 +1,4 @@
-//! A scene on a backend, behind one face.
+//! A scene on either backend, with one interface.
 use crate::arguments::BackendName;
 use crate::failure::Failure;
 use crate::pool::Pool;
@@ -11,31 +11,31 @@ use millpond_core::scene::Scene;
 use millpond_core::{AirReport, Array, CorrectionReport, Plan, Solver, TimeReport};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 
-/// Set to `1`, it turns a missing GPU into a failure, so that no comparison is skipped unseen.
+/// Environment variable: if it is `1`, a missing GPU is an error, so that no comparison is skipped unnoticed.
 pub const REQUIRE_GPU: &str = "MILLPOND_REQUIRE_GPU";
 
-/// A fluid that can be stepped and looked at.
+/// A fluid on one of the backends.
 #[derive(Debug)]
 pub enum Fluid<'a> {
     /// On the CPU.
     Cpu {
-        /// The fluid.
+        /// The solver.
         solver: Box<Solver<'a>>,
-        /// Who works.
+        /// Threads to run on.
         pool: &'a Pool,
     },
-    /// On a device.
+    /// On a GPU.
     Gpu {
-        /// The fluid.
+        /// The solver.
         solver: Box<GpuSolver>,
         /// Name of the device.
         device: String,
-        /// What it needs to know of springs to say what is in them.
+        /// Data to compute the elastic energy from a snapshot.
         springs: Box<Springs>,
     },
 }
 
-/// What does not change of springs, and of the scene that they are in.
+/// Constant data of a scene and its springs.
 #[derive(Clone, Debug)]
 pub struct Springs {
     plan: Plan,
@@ -45,10 +45,10 @@ pub struct Springs {
 }
 
 impl<'a> Fluid<'a> {
-    /// `scene` at its start.
+    /// Starts a scene on a backend.
     ///
     /// # Errors
-    /// A scene that cannot start, or no such backend.
+    /// A scene that cannot start, or a backend that is not available.
     pub fn start(
         named: &LoadedScene,
         backend: BackendName,
@@ -71,7 +71,7 @@ impl<'a> Fluid<'a> {
     /// Makes `count` steps.
     ///
     /// # Errors
-    /// A step that could not be made.
+    /// A step that fails.
     pub fn step(&mut self, count: u32) -> Result<(), Failure> {
         match self {
             Fluid::Cpu { solver, pool } => (0..count).try_for_each(|_| solver.step(*pool)).map_err(Failure::Step),
@@ -79,10 +79,10 @@ impl<'a> Fluid<'a> {
         }
     }
 
-    /// Its state now.
+    /// Returns the current state.
     ///
     /// # Errors
-    /// The device failed.
+    /// A failure of the device.
     pub fn snapshot(&self) -> Result<Snapshot, Failure> {
         match self {
             Fluid::Cpu { solver, .. } => Ok(Snapshot::of_cpu(solver)),
@@ -90,10 +90,10 @@ impl<'a> Fluid<'a> {
         }
     }
 
-    /// What the pressure correction came to.
+    /// Returns iterations and residual of the pressure correction.
     ///
     /// # Errors
-    /// The device failed.
+    /// A failure of the device.
     pub fn correction(&self) -> Result<CorrectionReport, Failure> {
         match self {
             Fluid::Cpu { solver, .. } => Ok(solver.correction()),
@@ -101,10 +101,10 @@ impl<'a> Fluid<'a> {
         }
     }
 
-    /// What became of the time step.
+    /// Returns the state of the clock: simulated time, last and next time step.
     ///
     /// # Errors
-    /// The device failed.
+    /// A failure of the device.
     pub fn time_report(&self) -> Result<TimeReport, Failure> {
         match self {
             Fluid::Cpu { solver, .. } => Ok(solver.time_report()),
@@ -112,10 +112,10 @@ impl<'a> Fluid<'a> {
         }
     }
 
-    /// What became of the coat of air.
+    /// Returns the number of active air particles and of refused spawn requests.
     ///
     /// # Errors
-    /// The device failed.
+    /// A failure of the device.
     pub fn air(&self) -> Result<AirReport, Failure> {
         match self {
             Fluid::Cpu { solver, .. } => Ok(solver.air()),
@@ -123,7 +123,7 @@ impl<'a> Fluid<'a> {
         }
     }
 
-    /// Energy in its springs, J (per metre of depth in 2D), its state now being this one.
+    /// Returns the elastic energy of the springs, J (per metre of depth in 2D). `state` is the current state.
     #[must_use]
     pub fn elastic_energy(&self, state: &Snapshot) -> f64 {
         match self {
@@ -139,7 +139,7 @@ impl<'a> Fluid<'a> {
         }
     }
 
-    /// What it runs on, in words.
+    /// Returns a description of the backend.
     #[must_use]
     pub fn backend(&self) -> String {
         match self {
@@ -153,7 +153,7 @@ impl<'a> Fluid<'a> {
     }
 }
 
-/// A CPU solver for `scene` at its start.
+/// Starts a CPU solver for a scene.
 ///
 /// # Errors
 /// A scene that cannot start.
@@ -161,10 +161,10 @@ pub fn start<'a>(name: &str, scene: &Scene, heap: &'a mut OwnedMemory) -> Result
     Solver::new(scene, heap.lend()).map_err(|error| Failure::Scene { origin: name.to_owned(), error })
 }
 
-/// A device in strict mode, or `None` with a line on stderr where there is none.
+/// Opens a GPU in strict mode. Without one, prints a line on stderr and returns `None`.
 ///
 /// # Errors
-/// None where [`REQUIRE_GPU`] wants one.
+/// A missing GPU, if [`REQUIRE_GPU`] is set to `1`.
 pub fn device_if_any() -> Result<Option<Gpu>, Failure> {
     match Gpu::open(None, Mode::Strict) {
         Ok(gpu) => Ok(Some(gpu)),
@@ -172,7 +172,7 @@ pub fn device_if_any() -> Result<Option<Gpu>, Failure> {
             if std::env::var_os(REQUIRE_GPU).is_some_and(|v| v == "1") {
                 return Err(error.into());
             }
-            eprintln!("GPU left out: {error}");
+            eprintln!("the GPU is left out: {error}");
             Ok(None)
         }
     }

@@ -1,4 +1,4 @@
-//! Pictures of a run: which states are drawn, and how a scene looks.
+//! Pictures of a run: selection of the states to draw, and conversion of a state to a picture.
 use crate::failure::Failure;
 use crate::paint::{Colouring, Frame, Swatch, View, paint};
 use crate::run_length::RunLength;
@@ -13,40 +13,41 @@ use std::path::{Path, PathBuf};
 /// Size of a picture, pixels.
 const SIZE: [u32; 2] = [960, 540];
 
-/// Drawn radius over spacing: spheres that just overlap show a surface and not its grains.
+/// Drawn radius of a particle over the particle spacing. Spheres that just overlap look like a surface instead of
+/// grains.
 const RADIUS: f32 = 0.55;
 
-/// A row of pictures, evenly over a run.
+/// Draws pictures at equal intervals of a run.
 #[derive(Debug)]
 pub struct FrameRecorder<'a> {
     scene: Option<(&'a LoadedScene, PathBuf)>,
     span: RunLength,
-    /// How many there are to be, and which of them is next.
+    /// Number of pictures, and index of the next one.
     count: u64,
     next: u64,
     pictures: Vec<PathBuf>,
 }
 
 impl<'a> FrameRecorder<'a> {
-    /// No pictures.
+    /// Returns a recorder that draws nothing.
     #[must_use]
     pub fn none() -> FrameRecorder<'a> {
         FrameRecorder { scene: None, span: RunLength::Steps(0), count: 0, next: 0, pictures: Vec::new() }
     }
 
-    /// `count` pictures in `folder`, but no more than there are states: the last of them at the end of the span, the first,
-    /// where there is more than one, of the start.
+    /// Returns a recorder of `count` pictures in `folder`, or fewer if the run has fewer states. The last picture shows
+    /// the end of the run; if there are several, the first one shows the start.
     #[must_use]
     pub fn new(named: &'a LoadedScene, folder: &Path, count: u64, span: RunLength) -> FrameRecorder<'a> {
         let count = match span {
             RunLength::Steps(steps) => count.min(steps.saturating_add(1)),
-            // of those that are due in one step one is drawn
+            // if several pictures are due in one step, one is drawn
             RunLength::Seconds(_) => count,
         };
         FrameRecorder { scene: Some((named, folder.to_owned())), span, count, next: 0, pictures: Vec::new() }
     }
 
-    /// When the next state is to be drawn, in the unit of the span.
+    /// Returns when the next picture is due, in steps or seconds as in the run length; `None` after the last one.
     #[must_use]
     pub fn next(&self) -> Option<f64> {
         if self.next >= self.count {
@@ -61,10 +62,11 @@ impl<'a> FrameRecorder<'a> {
         })
     }
 
-    /// Draws the state after `passed` of the span and `time` seconds, if a picture is due.
+    /// Draws the state after `passed` steps or seconds of the run, at the simulated time `time` (s), if a picture is
+    /// due.
     ///
     /// # Errors
-    /// The picture cannot be written.
+    /// A picture that cannot be written.
     pub fn capture(&mut self, passed: f64, time: f64, state: &Snapshot) -> Result<(), Failure> {
         let Some((named, folder)) = &self.scene else { return Ok(()) };
         if self.next().is_none_or(|due| passed < due) {
@@ -73,7 +75,7 @@ impl<'a> FrameRecorder<'a> {
         let path = folder.join(format!("{}-{:04}.png", named.name, self.pictures.len()));
         draw(named, time, state, &path)?;
         self.pictures.push(path);
-        // the next that is not due yet
+        // skip pictures that were due before this state
         self.next += match self.span {
             RunLength::Steps(_) => 1,
             RunLength::Seconds(seconds) => {
@@ -84,14 +86,14 @@ impl<'a> FrameRecorder<'a> {
         Ok(())
     }
 
-    /// The pictures drawn.
+    /// Returns the paths of the pictures.
     #[must_use]
     pub fn finish(self) -> Vec<PathBuf> {
         self.pictures
     }
 }
 
-/// Draws one state.
+/// Draws one state to a file.
 fn draw(named: &LoadedScene, time: f64, state: &Snapshot, path: &Path) -> Result<(), Failure> {
     let scene = &named.file.scene;
     let bounds = bounds(scene, state);
@@ -113,26 +115,26 @@ fn draw(named: &LoadedScene, time: f64, state: &Snapshot, path: &Path) -> Result
     paint(&frame, &view, bounds, SIZE[0], SIZE[1]).write_png(path).map_err(Failure::file(path))
 }
 
-/// A particle of a fluid, as far as a picture can show it.
+/// A fluid particle as it is drawn.
 #[derive(Clone, Copy, Debug)]
 struct DrawParticle {
     position: f32x4,
-    /// m/s.
+    /// Speed, m/s.
     speed: f32,
-    /// kg/m3.
+    /// Density, kg/m3.
     density: f32,
-    /// Number of its fluid.
+    /// Index of the fluid.
     fluid: u32,
 }
 
-/// Who is in a picture.
+/// The particles of a picture.
 #[derive(Debug, Default)]
 struct FrameContent {
-    /// Particles of the fluids.
+    /// Fluid particles.
     beads: Vec<DrawParticle>,
-    /// Places of walls' particles that hide nothing.
+    /// Positions of the wall particles that are drawn.
     walls: Vec<f32x4>,
-    /// Particles that there are, shown or not.
+    /// Number of particles without inactive air, drawn or not.
     present: usize,
 }
 
@@ -159,8 +161,8 @@ impl FrameContent {
     }
 }
 
-/// Is a wall's particle at height `y` to be drawn? In the plane, where none stands in the way, it is; in space where it lies
-/// under all of the wall's inside, as a floor does, and is not seen from below.
+/// Returns whether a wall particle at height `y` is drawn. In 2D all of them are, since they cover nothing. In 3D only
+/// those below the inside of their wall are drawn, as of a floor, and only if the camera does not look from below.
 fn is_in_sight(file: &SceneFile, wall: u32, y: f32) -> bool {
     let from_below = matches!(file.camera, Camera::Orbit { pitch_degrees, .. } if pitch_degrees < 0.0);
     let is_floor = file.scene.walls.get(wall as usize).is_some_and(|wall| {
@@ -170,7 +172,7 @@ fn is_in_sight(file: &SceneFile, wall: u32, y: f32) -> bool {
     file.scene.dimension == Dimension::Two || (is_floor && !from_below)
 }
 
-/// What colours the particles.
+/// Returns the colours of the particles.
 fn colouring(file: &SceneFile, beads: &[DrawParticle]) -> Colouring {
     let numbers = |of: fn(&DrawParticle) -> f32, range, label| Colouring::Numbers {
         of: beads.iter().map(of).collect(),
@@ -191,7 +193,7 @@ fn colouring(file: &SceneFile, beads: &[DrawParticle]) -> Colouring {
     }
 }
 
-/// The box that a picture frames: the container, or a little more than the blocks at the start.
+/// Returns the box that the picture shows: the container, or else the blocks at the start with a margin, and the walls.
 fn bounds(scene: &Scene, state: &Snapshot) -> [Vec3; 2] {
     let flat = |v: Vec3| if scene.dimension == Dimension::Two { v.with_z(0.0) } else { v };
     if let Some(container) = &scene.container {
@@ -204,7 +206,7 @@ fn bounds(scene: &Scene, state: &Snapshot) -> [Vec3; 2] {
         let at = state.position().first().map_or(Vec3::ZERO, |x| Vec3::new(x[0], x[1], x[2]));
         (at - 1.0, at + 1.0)
     });
-    // fluid is given room to move, walls stay where they are
+    // the fluid needs room to move, and walls do not
     let margin = (high - low) * 0.25;
     let walls = scene.walls.iter().map(|w| {
         let (WallShape::Plane { low, high, .. } | WallShape::Box { low, high, .. }) = &w.shape;

@@ -1,10 +1,10 @@
-//! millpond: the program that runs fluid scenes on both backends and shows that they agree, how fast they are and how
-//! far off.
+//! millpond: the program that runs fluid scenes on CPU and GPU, shows that both give the same bits, and measures speed
+//! and error.
 //!
-//! Each command has a module of its own: [`run`], [`compare`], [`mod@bench`], [`plan_view`], [`error_study`], [`check`],
-//! [`stability`], and [`showcase`], which is what happens without any. They share [`scenes`] (what runs), [`fluid`] (a
-//! scene on a backend), [`state_summary`] (what can be said of it), [`extremes`] (what no scene should be) and the drawing in
-//! [`paint`], [`frames`] and [`plot`].
+//! Each command has its own module: [`run`], [`compare`], [`mod@bench`], [`plan_view`], [`error_study`], [`check`],
+//! [`stability`], and [`showcase`], which runs if no command is given. They share [`scenes`] (scene files), [`fluid`]
+//! (a scene on a backend), [`state_summary`] (summary of a state), [`extremes`] (extreme scenes for tests) and the
+//! drawing in [`paint`], [`frames`] and [`plot`].
 
 pub mod arguments;
 pub mod bench;

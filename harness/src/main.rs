@@ -1,4 +1,4 @@
-//! The program: see `millpond help`.
+//! The `millpond` program. `millpond help` lists its commands.
 use clap::Parser as _;
 use millpond::cli::Cli;
 use std::process::ExitCode;

@@ -1,40 +1,40 @@
-//! What a study comes to: figures with limits, and notes.
+//! Result of a study: figures with limits, and notes.
 use serde::Serialize;
 
-/// On which side of its limit a figure must lie.
+/// The side of its limit on which a figure must lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum Sense {
-    /// Not above it.
+    /// At or below the limit.
     #[serde(rename = "<=")]
     AtMost,
-    /// Not below it.
+    /// At or above the limit.
     #[serde(rename = ">=")]
     AtLeast,
 }
 
-/// A measured number and its limit.
+/// A measured figure and its limit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Metric {
     /// What was measured.
     pub name: String,
-    /// How much it is.
+    /// The measured value.
     pub value: f64,
-    /// How much it may be.
+    /// The limit.
     pub limit: f64,
-    /// On which side of the limit it must lie.
+    /// The side of the limit on which the value must lie.
     pub sense: Sense,
-    /// Does it? Never where the value is no number.
+    /// Whether the value is within its limit. False for NaN.
     pub ok: bool,
 }
 
 impl Metric {
-    /// One that must not be above its limit.
+    /// Returns a figure that must not exceed its limit.
     #[must_use]
     pub fn below(name: impl Into<String>, value: f64, limit: f64) -> Metric {
         Metric { name: name.into(), value, limit, sense: Sense::AtMost, ok: value <= limit }
     }
 
-    /// One that must not be below its limit.
+    /// Returns a figure that must not be less than its limit.
     #[must_use]
     pub fn above(name: impl Into<String>, value: f64, limit: f64) -> Metric {
         Metric { name: name.into(), value, limit, sense: Sense::AtLeast, ok: value >= limit }
@@ -44,27 +44,27 @@ impl Metric {
 /// Result of a study.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Outcome {
-    /// The study.
+    /// Name of the study.
     pub name: String,
-    /// Are all figures within their limits?
+    /// Whether all figures are within their limits.
     pub passed: bool,
-    /// What was measured.
+    /// The measured figures.
     pub figures: Vec<Metric>,
-    /// What else is to be known: paragraphs and tables, with no limit to them.
+    /// Further results without limits: paragraphs and tables.
     pub notes: Vec<String>,
 }
 
 impl Outcome {
-    /// It passes where all figures do.
+    /// Returns the result of a study, which passes if all figures are within their limits.
     #[must_use]
     pub fn new(name: &str, figures: Vec<Metric>, notes: Vec<String>) -> Outcome {
         Outcome { name: name.to_owned(), passed: figures.iter().all(|figure| figure.ok), figures, notes }
     }
 
-    /// The outcome as a page.
+    /// Formats the result as a Markdown page.
     #[must_use]
     pub fn words(&self, about: &str) -> String {
-        let verdict = if self.passed { "passed" } else { "FELL SHORT" };
+        let verdict = if self.passed { "passed" } else { "FAILED" };
         let mut out = format!("# {}: {about}: {verdict}\n\n", self.name);
         out += "| figure | value | limit | |\n| --- | --- | --- | --- |\n";
         for Metric { name, value, limit, sense, ok } in &self.figures {
@@ -72,7 +72,7 @@ impl Outcome {
                 Sense::AtMost => "<=",
                 Sense::AtLeast => ">=",
             };
-            let mark = if *ok { "ok" } else { "SHORT" };
+            let mark = if *ok { "ok" } else { "FAILED" };
             out += &format!("| {name} | {} | {sign} {} | {mark} |\n", short(*value), short(*limit));
         }
         for note in &self.notes {
@@ -82,12 +82,12 @@ impl Outcome {
     }
 }
 
-/// Four digits, in whichever way is readable.
+/// Formats a number with four decimals, or in scientific notation if it is very small or very large.
 fn short(value: f64) -> String {
     if value == 0.0 || (1e-3..1e4).contains(&value.abs()) { format!("{value:.4}") } else { format!("{value:.2e}") }
 }
 
-/// A table in words: a row of titles, and rows of the same length.
+/// Formats a Markdown table from a row of titles and rows of the same length.
 pub(crate) fn table<const N: usize>(titles: [&str; N], rows: impl IntoIterator<Item = [String; N]>) -> String {
     let mut out = format!("| {} |\n| {} |\n", titles.join(" | "), ["---"; N].join(" | "));
     for row in rows {

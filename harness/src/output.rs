@@ -1,4 +1,4 @@
-//! What a command says: one JSON document on stdout, or words.
+//! Output of a command: one JSON document or text on stdout, files, and progress bars.
 use crate::arguments::Common;
 use crate::failure::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -7,10 +7,10 @@ use std::io::Write as _;
 use std::path::Path;
 use std::time::Duration;
 
-/// Says a result as the caller wants it, in JSON or in words, and leaves the words in `out` as a file of this name.
+/// Prints a result as JSON or as text, as the caller chose. With `--out`, also writes the text to a file of this name.
 ///
 /// # Errors
-/// A number that JSON cannot hold, a file that cannot be written.
+/// A result that JSON cannot represent, or a file that cannot be written.
 pub fn deliver(common: &Common, name: &str, result: &impl Serialize, words: &str) -> Result<(), Failure> {
     if let Some(folder) = &common.out {
         make_folder(folder)?;
@@ -19,18 +19,18 @@ pub fn deliver(common: &Common, name: &str, result: &impl Serialize, words: &str
     if common.json { print_json(result) } else { say(words) }
 }
 
-/// Prints a result as the one JSON document.
+/// Prints a result as the single JSON document on stdout.
 ///
 /// # Errors
-/// A number that JSON cannot hold, a stdout that cannot be written.
+/// A result that JSON cannot represent, or a stdout that cannot be written.
 pub fn print_json(result: &impl Serialize) -> Result<(), Failure> {
     say(&json(result)?)
 }
 
-/// Writes a result as a JSON document beside the words.
+/// Writes a result to a JSON file.
 ///
 /// # Errors
-/// A number that JSON cannot hold, what the system says.
+/// A result that JSON cannot represent, or a file that cannot be written.
 pub fn write_json(path: &Path, result: &impl Serialize) -> Result<(), Failure> {
     write_text(path, &(json(result)? + "\n"))
 }
@@ -39,7 +39,7 @@ fn json(result: &impl Serialize) -> Result<String, Failure> {
     serde_json::to_string_pretty(result).map_err(|e| Failure::System(e.to_string()))
 }
 
-/// Prints words. A reader who has seen enough, as `head` has, is no failure.
+/// Prints text. A closed pipe, as with `head`, is not an error.
 ///
 /// # Errors
 /// A stdout that cannot be written.
@@ -50,7 +50,8 @@ pub fn say(words: &str) -> Result<(), Failure> {
     }
 }
 
-/// A time in words, to the two digits that a bisection finds or the three that somebody gives.
+/// Formats a time with its unit: two decimals below 10, one below 100, none above. A bisection is no more precise than
+/// that.
 #[must_use]
 pub fn seconds(time: f32) -> String {
     let (value, unit) = match time {
@@ -62,7 +63,7 @@ pub fn seconds(time: f32) -> String {
     format!("{value:.digits$} {unit}")
 }
 
-/// A bar on stderr for long work; nothing where stderr is no terminal.
+/// Returns a progress bar on stderr. It is hidden if stderr is not a terminal.
 #[must_use]
 pub fn progress(what: &str, steps: u64) -> ProgressBar {
     let bar = ProgressBar::new(steps);
@@ -73,18 +74,18 @@ pub fn progress(what: &str, steps: u64) -> ProgressBar {
     bar
 }
 
-/// Makes a folder for results.
+/// Creates a folder for results.
 ///
 /// # Errors
-/// What the system says.
+/// A folder that cannot be created.
 pub fn make_folder(folder: &Path) -> Result<(), Failure> {
     std::fs::create_dir_all(folder).map_err(Failure::file(folder))
 }
 
-/// Writes a text beside the results.
+/// Writes a text file.
 ///
 /// # Errors
-/// What the system says.
+/// A file that cannot be written.
 pub fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
     std::fs::write(path, text).map_err(Failure::file(path))
 }

@@ -1,4 +1,4 @@
-//! `plan`: what a scene needs, what it leaves out, and what that saves.
+//! `plan`: what a scene needs, what it leaves out, and how much memory and time that saves.
 use crate::arguments::Common;
 use crate::failure::Failure;
 use crate::output::deliver;
@@ -19,7 +19,7 @@ use serde::Serialize;
 pub struct Options {
     #[command(flatten)]
     common: Common,
-    /// Steps to time with the plan and with everything (0: none)
+    /// Number of steps to time with the scene's plan and with everything included (0: do not time)
     #[arg(long, default_value_t = 20, value_name = "N")]
     steps: u32,
 }
@@ -27,74 +27,75 @@ pub struct Options {
 /// Result of `plan`.
 #[derive(Clone, Debug, Serialize)]
 pub struct PlanView {
-    /// The scene.
+    /// Name of the scene.
     pub scene: String,
-    /// Its particles.
+    /// Number of particles.
     pub particles: usize,
-    /// What runs, in order.
+    /// Passes that run, in order.
     pub passes: Vec<PassView>,
-    /// The commands of a step, in words.
+    /// Commands of a step, as text.
     pub commands: Vec<String>,
-    /// What does not, and why.
+    /// Parts that are left out, and why.
     pub left_out: Vec<LeftOutView>,
-    /// Memory.
+    /// Memory of the scene.
     pub bytes: Bytes,
-    /// Arrays that exist, with their bytes.
+    /// Allocated arrays and their sizes.
     pub arrays: Vec<ArrayView>,
-    /// Shortest step by either plan, taken in turn, ms.
+    /// Shortest step with each plan, timed alternately, ms.
     pub ms_per_step: PlanTimes,
-    /// Median step by either plan, ms.
+    /// Median step with each plan, ms.
     pub median_ms_per_step: PlanTimes,
 }
 
-/// A pass and what is in it.
+/// A pass and its terms.
 #[derive(Clone, Debug, Serialize)]
 pub struct PassView {
-    /// Which.
+    /// Name of the pass.
     pub name: &'static str,
-    /// Its terms, in order.
+    /// Terms of the pass, in order.
     pub terms: Vec<&'static str>,
 }
 
-/// Something left out.
+/// A part that is left out.
 #[derive(Clone, Debug, Serialize)]
 pub struct LeftOutView {
-    /// What.
+    /// Name of the part.
     pub what: &'static str,
-    /// Why.
+    /// Reason.
     pub why: &'static str,
-    /// Memory that this saves.
+    /// Memory that is saved, bytes.
     pub bytes: usize,
 }
 
 /// An array and its size.
 #[derive(Clone, Debug, Serialize)]
 pub struct ArrayView {
-    /// Which.
+    /// Name of the array.
     pub name: &'static str,
-    /// Its size.
+    /// Size, bytes.
     pub bytes: usize,
 }
 
-/// Memory of a scene.
+/// Memory of a scene, bytes.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Bytes {
-    /// By its plan.
+    /// With the scene's plan.
     pub used: usize,
-    /// With everything that this version can leave out.
+    /// With everything included that this version can leave out.
     pub everything: usize,
 }
 
-/// Times of the two plans.
+/// Times with the two plans, ms.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct PlanTimes {
-    /// By the scene's plan.
+    /// With the scene's plan.
     pub plan: f64,
-    /// With every term.
+    /// With every term included.
     pub everything: f64,
 }
 
-/// Places of a cell for the cell lists of a scene that has none: twice the default neighbours.
+/// Places per cell assumed for the cell lists of a scene that uses the index sort: twice the default number of
+/// neighbours.
 pub(crate) const USUAL_PLACES: u32 = 64;
 
 /// Runs `plan`.
@@ -108,7 +109,7 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
     Ok(true)
 }
 
-/// The plan of a scene, timed over `steps` steps.
+/// Describes the plan of a scene, timed over `steps` steps.
 ///
 /// # Errors
 /// A scene that cannot run.
@@ -135,7 +136,7 @@ pub fn view(named: &LoadedScene, pool: &Pool, steps: u32) -> Result<PlanView, Fa
     })
 }
 
-/// A command of a step.
+/// Describes a command of a step.
 fn in_words(command: Command) -> String {
     match command {
         Command::Run(pass) => pass.name().into(),
@@ -144,18 +145,18 @@ fn in_words(command: Command) -> String {
         Command::Gather { from: (from, _), to } => format!("gather {} from {}", to.name(), from.name()),
         Command::Validate(array) => format!("validate {}", array.name()),
         Command::Repeat { commands, most } => {
-            format!("repeat the next {commands} commands until pressure converges, {most} times at most")
+            format!("repeat the next {commands} commands until the pressure has converged, at most {most} times")
         }
     }
 }
 
-/// The arrays that exist, with their bytes.
+/// Returns the allocated arrays with their sizes.
 pub(crate) fn arrays(requirements: &Requirements) -> Vec<ArrayView> {
     let all = Array::ALL.iter().map(|&array| ArrayView { name: array.name(), bytes: requirements.bytes_of(array) });
     all.filter(|array| array.bytes > 0).collect()
 }
 
-/// Memory that something left out would take.
+/// Returns the memory that a part that is left out would take, bytes.
 fn bytes_saved(scene: &Checked<'_>, requirements: &Requirements, what: &str) -> usize {
     let mut model = *requirements.model();
     if let Some((_, include)) = OPTIONAL.iter().find(|(name, _)| *name == what) {
@@ -164,12 +165,12 @@ fn bytes_saved(scene: &Checked<'_>, requirements: &Requirements, what: &str) -> 
     with(scene, requirements, model).bytes().saturating_sub(requirements.bytes())
 }
 
-/// What takes memory where a scene asks for it.
+/// Includes an optional part in a model.
 type Include = fn(&mut Model);
 const OPTIONAL: &[(&str, Include)] = &[
     ("cell lists", |m| m.cell_places = m.cell_places.max(USUAL_PLACES)),
     ("XSPH", |m| m.has_xsph = 1),
-    ("thermal energy", |m| m.has_internal_energy = 1),
+    ("internal energy", |m| m.has_internal_energy = 1),
     ("variable support", |m| m.has_variable_support = 1),
     ("pressure correction", |m| m.pressure_solver = PRESSURE_CORRECTION),
     ("kernel tables", |m| m.evaluation = TABLE),
@@ -179,7 +180,7 @@ const OPTIONAL: &[(&str, Include)] = &[
     ("air", |m| m.has_air = 1),
 ];
 
-/// The same requirements by another model of the scene.
+/// Returns the requirements of the scene with another model.
 fn with(scene: &Checked<'_>, requirements: &Requirements, model: Model) -> Requirements {
     let mut counts = requirements.counts;
     if model.has_springs == 1 && counts.spring_ends == 0 {
@@ -188,7 +189,8 @@ fn with(scene: &Checked<'_>, requirements: &Requirements, model: Model) -> Requi
     Requirements::by_model(model, counts)
 }
 
-/// Ends of springs of a scene, as many as its blocks would have, were all of its fluids elastic; none where they cannot be.
+/// Returns the number of spring ends that the scene would have if all of its fluids were elastic; 0 if such a scene is
+/// invalid.
 fn ends_if_elastic(scene: &Scene) -> usize {
     let mut elastic = scene.clone();
     let air = scene.air.map(|air| air.fluid);
@@ -199,7 +201,7 @@ fn ends_if_elastic(scene: &Scene) -> usize {
     elastic.check().map_or(0, |elastic| elastic.derived().spring_ends)
 }
 
-/// Memory of a scene with all that this version can leave out.
+/// Returns the memory of a scene with everything included that this version can leave out, bytes.
 fn everything(scene: &Checked<'_>, requirements: &Requirements) -> usize {
     let mut model = Plan::everything(scene).model;
     for (_, include) in OPTIONAL {
@@ -208,7 +210,7 @@ fn everything(scene: &Checked<'_>, requirements: &Requirements) -> usize {
     with(scene, requirements, model).bytes()
 }
 
-/// Times the two plans in turn, so that both meet the same mood of the machine.
+/// Times the two plans alternately, so that slow phases of the machine affect both equally.
 fn time(named: &LoadedScene, pool: &Pool, steps: u32) -> Result<[Milliseconds; 2], Failure> {
     let scene = &named.checked()?;
     let plans = [Plan::of(scene), Plan::everything(scene)];
@@ -230,7 +232,7 @@ fn time(named: &LoadedScene, pool: &Pool, steps: u32) -> Result<[Milliseconds; 2
     Ok(times.map(|times| Milliseconds::of(&times)))
 }
 
-/// The plan in words.
+/// Formats the plan as text.
 #[must_use]
 pub fn table(view: &PlanView) -> String {
     let mut out = format!("{}\n", view.scene);
@@ -252,13 +254,13 @@ pub fn table(view: &PlanView) -> String {
     let (bytes, ms) = (view.bytes, view.ms_per_step);
     let particles = view.particles.max(1);
     out += &format!(
-        "bytes: {} used ({:.0} a particle), {} with everything\n",
+        "bytes: {} used ({:.0} per particle), {} with everything\n",
         bytes.used,
         bytes.used as f64 / particles as f64,
         bytes.everything
     );
     if ms.plan > 0.0 {
-        out += &format!("ms a step at least: {:.3} by the plan, {:.3} with everything\n", ms.plan, ms.everything);
+        out += &format!("ms per step, minimum: {:.3} with the plan, {:.3} with everything\n", ms.plan, ms.everything);
     }
     out
 }

@@ -1,26 +1,26 @@
-//! Plots as SVG: error against run time, and series over time.
+//! Plots as SVG files: error against run time, and series over time.
 use crate::failure::Failure;
 use plotters::prelude::*;
 use std::path::Path;
 
-/// A run in a plot.
+/// A run in a plot: one marker.
 #[derive(Clone, Debug)]
 pub struct Mark {
-    /// The row that it belongs to: one colour, one line of the legend.
+    /// Series of the marker; each series has one colour and one entry in the legend.
     pub series: String,
-    /// What tells it from the others of its series.
+    /// Label that distinguishes the markers of a series.
     pub label: String,
     /// Run time.
     pub x: f64,
     /// Error.
     pub y: f64,
-    /// No other run is both faster and better.
+    /// Whether no other run is both faster and more accurate.
     pub on_front: bool,
 }
 
 const SIZE: (u32, u32) = (900, 600);
 const FRONT: RGBColor = RGBColor(60, 70, 80);
-/// Okabe and Ito's colours, which most colour-blind readers can tell apart.
+/// Colours of Okabe and Ito 2008, which most colour-blind readers can distinguish.
 pub(crate) const SERIES: [RGBColor; 6] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -30,10 +30,10 @@ pub(crate) const SERIES: [RGBColor; 6] = [
     RGBColor(86, 180, 233),
 ];
 
-/// Draws marks in double logarithmic axes, the front joined by a line.
+/// Draws markers in double logarithmic axes, and joins those on the Pareto front by a line.
 ///
 /// # Errors
-/// The file cannot be written.
+/// A file that cannot be written.
 pub fn front_plot(path: &Path, title: &str, [x_label, y_label]: [&str; 2], marks: &[Mark]) -> Result<(), Failure> {
     draw(path, title, [x_label, y_label], marks).map_err(|e| Failure::System(format!("{}: {e}", path.display())))
 }
@@ -69,7 +69,7 @@ fn draw(
     front.sort_by(|a, b| a.x.total_cmp(&b.x));
     let line = LineSeries::new(front.iter().map(|m| (m.x, m.y)), FRONT.stroke_width(1));
     let key = |(x, y)| PathElement::new([(x, y), (x + 16, y)], FRONT.stroke_width(1));
-    chart.draw_series(line)?.label("not beaten in both").legend(key);
+    chart.draw_series(line)?.label("Pareto front").legend(key);
     let mut series: Vec<&str> = marks.iter().map(|m| m.series.as_str()).collect();
     series.sort_unstable();
     series.dedup();
@@ -79,7 +79,7 @@ fn draw(
         let key = move |(x, y)| Circle::new((x + 8, y), 5, colour.filled());
         chart.draw_series(dots)?.label(name).legend(key);
     }
-    // runs of one label lie together: it is written once, at the first of them
+    // markers with the same label lie close together, so the label is written once, at the leftmost of them
     let mut labels: Vec<&str> = marks.iter().map(|m| m.label.as_str()).collect();
     labels.sort_unstable();
     labels.dedup();
@@ -103,16 +103,16 @@ fn draw(
 /// A line in a plot.
 #[derive(Clone, Debug)]
 pub struct Line {
-    /// What it is of.
+    /// Entry in the legend.
     pub label: String,
-    /// Its points, x ascending.
+    /// Points in ascending order of x.
     pub points: Vec<[f64; 2]>,
 }
 
 /// Draws lines in linear axes.
 ///
 /// # Errors
-/// The file cannot be written.
+/// A file that cannot be written.
 pub fn line_plot(path: &Path, title: &str, axes: [&str; 2], lines: &[Line]) -> Result<(), Failure> {
     draw_lines(path, title, axes, lines).map_err(|e| Failure::System(format!("{}: {e}", path.display())))
 }

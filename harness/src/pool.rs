@@ -1,4 +1,4 @@
-//! Core's executor over rayon's threads.
+//! An executor for the core crate that runs on rayon's threads.
 use crate::failure::Failure;
 use millpond_core::Executor;
 use rayon::prelude::*;
@@ -8,16 +8,16 @@ use rayon::prelude::*;
 pub struct Pool(rayon::ThreadPool);
 
 impl Pool {
-    /// With this many threads; as many as there are cores where it is 0.
+    /// Creates a pool of `threads` threads; with 0, one thread per core.
     ///
     /// # Errors
-    /// The system gives no threads.
+    /// Threads that the operating system cannot create.
     pub fn new(threads: usize) -> Result<Pool, Failure> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        pool.map(Pool).map_err(|e| Failure::System(format!("no pool of {threads} threads: {e}")))
+        pool.map(Pool).map_err(|e| Failure::System(format!("cannot start {threads} threads: {e}")))
     }
 
-    /// What `work` makes of each item, side by side; in the order of the items, whoever is done first.
+    /// Applies `work` to all items in parallel. The results are in the order of the items.
     pub fn map<T: Sync, R: Send>(&self, items: &[T], work: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
         self.0.install(|| items.par_iter().with_max_len(1).map(&work).collect())
     }
@@ -29,7 +29,7 @@ impl Executor for Pool {
     }
 
     fn run<J: Send>(&self, jobs: &mut [J], work: impl Fn(&mut J) + Sync) {
-        // one thread needs no pool, and waking it would cost each pass some microseconds
+        // one thread needs no pool, and waking it would cost some microseconds per pass
         if self.width() == 1 {
             jobs.iter_mut().for_each(work);
         } else {
@@ -38,7 +38,8 @@ impl Executor for Pool {
     }
 
     fn enter<T: Send>(&self, step: impl FnOnce(&Self) -> T + Send) -> T {
-        // from outside, handing over the jobs of a pass takes some ten microseconds; from one of the pool's own threads, two
+        // starting the jobs of a pass takes about ten microseconds from outside of the pool, and two from one of its
+        // own threads
         if self.width() == 1 { step(self) } else { self.0.install(|| step(self)) }
     }
 }

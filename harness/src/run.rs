@@ -1,4 +1,4 @@
-//! `run`: a scene on one backend, with pictures if asked.
+//! `run`: runs a scene on one backend and draws pictures if asked to.
 use crate::arguments::{BackendName, Common, Length};
 use crate::failure::Failure;
 use crate::fluid::Fluid;
@@ -27,15 +27,15 @@ pub struct Options {
     common: Common,
     #[command(flatten)]
     length: Length,
-    /// Where it runs
+    /// Backend to run on
     #[arg(long, value_enum, default_value = "cpu")]
     backend: BackendName,
-    /// Pictures to draw, evenly over the run (with --out; default 1, the last state)
+    /// Number of pictures to draw, at equal intervals (needs --out; default 1: the final state)
     #[arg(long, value_name = "N", requires = "out")]
     frames: Option<u64>,
 }
 
-/// Steps that a GPU makes between two looks at its status, and time is taken.
+/// Number of steps that a GPU makes between two reads of its status. Times are taken there.
 const STEPS_AT_ONCE: u64 = 16;
 
 /// Runs `run`.
@@ -54,7 +54,7 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
     Ok(true)
 }
 
-/// Runs a scene for so long, with so many pictures in that folder.
+/// Runs a scene. `pictures` is the folder and the number of pictures.
 ///
 /// # Errors
 /// As for [`execute`].
@@ -77,7 +77,7 @@ pub fn run(
         film = FrameRecorder::new(named, folder, count, span);
     }
 
-    // a bar counts whole numbers: steps, or thousandths of a time
+    // a progress bar counts integers: steps, or thousandths of the simulated time
     let per_unit = if matches!(span, RunLength::Steps(_)) { 1.0 } else { 1000.0 / span.length() };
     let bar = progress(&format!("run {}", named.name), (span.length() * per_unit) as u64);
     let mut times = Vec::new();
@@ -166,15 +166,15 @@ pub fn run(
     })
 }
 
-/// Was a step longer than it should have been, because none may be shorter?
+/// Returns a warning if steps had the smallest allowed length and should have been shorter.
 fn held(clock: &TimeReport) -> Option<String> {
     (clock.held > 0).then(|| {
         let (held, wanted) = (clock.held, clock.wanted);
-        format!("{held} steps should have been shorter than adaptive.smallest (the last one wanted {wanted:.1e} s)")
+        format!("{held} steps should have been shorter than adaptive.smallest (the last limit was {wanted:.1e} s)")
     })
 }
 
-/// Thermal energy of a state, J.
+/// Returns the internal energy of a state, J.
 fn internal_energy(scene: &Checked<'_>, state: &Snapshot) -> f64 {
     let mass = scene.derived().particle_mass / f64::from(scene.fluids[0].rest_density);
     let density = |v: &f32x4| match material_of(v[3] as u32, scene) {

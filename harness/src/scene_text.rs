@@ -1,8 +1,9 @@
-//! The text of a scene file: where a field stands in it, and what files of earlier versions said otherwise.
+//! The text of a scene file: conversion from earlier versions, and the line of a field.
 use std::borrow::Cow;
 
-/// The text as this version reads it, line by line as it was. Version 0.1 had `fluid` and, right after it, `other_fluids`, which are
-/// one list now; and a byte order mark, which some editors write, is no part of a scene.
+/// Converts a text of an earlier version to this version's form, and keeps the lines where they are. Version 0.1 had
+/// `fluid`, directly followed by `other_fluids`; now there is one list, `fluids`. A byte order mark, which some editors
+/// write, is removed.
 pub fn current(text: &str) -> Cow<'_, str> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let code = code_of(text);
@@ -16,7 +17,8 @@ pub fn current(text: &str) -> Cow<'_, str> {
     format!("{}fluids: [{}{}", &text[..first], &text[after_first..others], &text[list..]).into()
 }
 
-/// The line, counted from 1, where a field stands: `fluids[1].rest_density` or the end of such a path.
+/// Returns the line, counted from 1, of a field given by its path or the end of its path, such as
+/// `fluids[1].rest_density`.
 pub fn line_of(text: &str, field: &str) -> Option<usize> {
     let code = code_of(text);
     let mut at = 0;
@@ -33,7 +35,7 @@ pub fn line_of(text: &str, field: &str) -> Option<usize> {
     Some(1 + code[..at].matches('\n').count())
 }
 
-/// The text with blanks instead of its comments and quotations, so that lines stay where they are.
+/// Replaces comments and string literals by blanks, so that everything else stays in its place.
 fn code_of(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
@@ -55,7 +57,7 @@ fn code_of(text: &str) -> String {
     out
 }
 
-/// Where `name:` stands.
+/// Returns the position of `name:`.
 fn key(code: &str, name: &str) -> Option<usize> {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     let stands = |&(at, _): &(usize, &str)| {
@@ -64,7 +66,8 @@ fn key(code: &str, name: &str) -> Option<usize> {
     code.match_indices(name).find(stands).map(|(at, _)| at)
 }
 
-/// Where an item of the list that begins after here stands; the list may also be a single item without brackets.
+/// Returns the position of an item of the list that starts at or after the beginning of `code`. The list may also be a
+/// single item without brackets.
 fn start_of_item(code: &str, item: usize) -> Option<usize> {
     let start = code.find(['[', '('])?;
     if code[start..].starts_with('(') {
@@ -95,8 +98,10 @@ fn start_of_item(code: &str, item: usize) -> Option<usize> {
 mod tests {
     use super::{current, line_of};
 
-    const TEXT: &str = "/* rest_density: of old\n*/\n(\n  about: \"rest_density: 1\", // rest_density: 2\n  fluids: [\n    \
-                        (rest_density: 1000.0),\n    (\n      rest_density: -5.0),\n  ],\n  container: (low: (0, 0)),\n)\n";
+    const TEXT: &str = "/* rest_density: of old\n*/\n(\n  about: \"rest_density: 1\", // rest_density: 2\n  \
+                        fluids: [\n    \
+                        (rest_density: 1000.0),\n    (\n      rest_density: -5.0),\n  ],\n  \
+                        container: (low: (0, 0)),\n)\n";
 
     #[test]
     fn files_of_the_first_version_are_read() {

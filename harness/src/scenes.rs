@@ -1,4 +1,4 @@
-//! Scene files: RON text with unknown fields refused, a few of them built in, every field open to `--set`.
+//! Scene files: RON text in which unknown fields are errors. Some scenes are built in. `--set` can change every field.
 use crate::failure::Failure;
 use crate::scene_text::{current, line_of};
 use glam::Vec3;
@@ -8,38 +8,38 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::path::Path;
 
-/// A scene and how it is shown.
+/// A scene, how long it runs, and how it is drawn.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SceneFile {
-    /// One sentence about it.
+    /// A one-line description.
     pub about: String,
-    /// How long it runs where nobody says otherwise, s.
+    /// Default simulated time of a run, s.
     pub duration: f64,
-    /// From where it is drawn.
+    /// View of the pictures.
     pub camera: Camera,
-    /// What colours a particle.
+    /// Quantity that gives the particles their colours.
     pub shade: Shade,
-    /// What runs.
+    /// The scene itself.
     pub scene: Scene,
 }
 
-/// From where a scene is drawn.
+/// View of the pictures of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum Camera {
-    /// Straight onto the xy plane.
+    /// Along the z axis onto the xy plane, without perspective.
     Flat,
-    /// Around the middle of the scene.
+    /// In perspective, from a circle around the middle of the scene.
     Orbit {
-        /// To the side.
+        /// Rotation about the y axis, degrees.
         yaw_degrees: f32,
-        /// From above.
+        /// Height above the horizon, degrees.
         pitch_degrees: f32,
     },
 }
 
-/// What colours a particle; of a number, with the values at the two ends of the colours.
+/// Quantity that gives particles their colours. For a number, the values at the two ends of the colour map.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub enum Shade {
@@ -47,24 +47,24 @@ pub enum Shade {
     Speed(f32, f32),
     /// Density, kg/m3.
     Density(f32, f32),
-    /// Which fluid it is of: [`Fluid::colour`](millpond_core::scene::Fluid::colour).
+    /// The fluid of the particle, in the colour of [`Fluid::colour`](millpond_core::scene::Fluid::colour).
     Fluid,
 }
 
-/// A scene by the name it was asked for.
+/// A scene that was loaded by name or path.
 #[derive(Clone, Debug)]
 pub struct LoadedScene {
-    /// Built-in name, or name of the file without its extension.
+    /// Name of the built-in scene, or name of the file without its extension.
     pub name: String,
-    /// What it says.
+    /// Contents of the scene file, after changes.
     pub file: SceneFile,
 }
 
 impl LoadedScene {
-    /// The scene with all that follows from it.
+    /// Returns the checked scene with everything derived from it.
     ///
     /// # Errors
-    /// A scene that cannot run, which [`load`] would not have loaded.
+    /// A scene that cannot run. [`load`] does not return such a scene.
     pub fn checked(&self) -> Result<Checked<'_>, Failure> {
         self.file.scene.check().map_err(|error| Failure::Scene { origin: self.name.clone(), error })
     }
@@ -74,7 +74,7 @@ macro_rules! built_in {
     ($($name:literal),* $(,)?) => { &[$(($name, include_str!(concat!("../scenes/", $name, ".ron")))),*] };
 }
 
-/// Name and text of the built-in scenes.
+/// Names and texts of the built-in scenes.
 pub const BUILT_IN: &[(&str, &str)] = built_in!(
     "dam-break",
     "dam-break-2d",
@@ -92,24 +92,25 @@ pub const BUILT_IN: &[(&str, &str)] = built_in!(
     "tower",
 );
 
-/// Most memory that a scene is given: 4 GiB, some 18 million particles. `compare` holds several of them, one for each path.
+/// Largest memory of a scene: 4 GiB, some 18 million particles. `compare` holds several scenes in memory, one for each
+/// path.
 pub const MOST_BYTES: usize = 1 << 32;
 
-/// What a caller asks of a scene beside its name.
+/// Changes to a scene that the caller asks for.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub struct Changes {
-    /// Override one field of the scene, by the end of its path: time_step=0.0005, fluid.speed_of_sound=30
+    /// Override one field of the scene, named by the end of its path: time_step=0.0005, fluid.speed_of_sound=30
     #[arg(long, value_name = "FIELD=VALUE")]
     pub set: Vec<String>,
-    /// About so many particles, by making every length of the scene larger at the same spacing
+    /// Approximate number of fluid particles: scales all lengths of the scene and keeps the particle spacing
     #[arg(long, value_name = "N")]
     pub particles: Option<u64>,
 }
 
-/// A built-in scene by name, or a scene file by path, changed and checked.
+/// Loads a built-in scene by name or a scene file by path, applies the changes and checks the result.
 ///
 /// # Errors
-/// No such scene, a text that is none, a change that does not fit, or a scene that cannot run.
+/// An unknown name, a text that is not a scene, a change that does not fit, or a scene that cannot run.
 pub fn load(name: &str, changes: &Changes) -> Result<LoadedScene, Failure> {
     let built_in = BUILT_IN.iter().find(|(known, _)| *known == name);
     let path = Path::new(name);
@@ -120,7 +121,7 @@ pub fn load(name: &str, changes: &Changes) -> Result<LoadedScene, Failure> {
         }
         None => {
             let known: Vec<&str> = BUILT_IN.iter().map(|(known, _)| *known).collect();
-            return Err(Failure::Call(format!("no scene {name:?}: give a .ron file, or one of {}", known.join(", "))));
+            return Err(Failure::Call(format!("no scene {name:?}: give a .ron file or one of {}", known.join(", "))));
         }
     };
     let text = current(&text);
@@ -135,27 +136,28 @@ pub fn load(name: &str, changes: &Changes) -> Result<LoadedScene, Failure> {
     }
     let bytes = Requirements::of(&file.scene.check().map_err(refuse)?).bytes();
     if bytes > MOST_BYTES {
-        return Err(Failure::Call(format!("the scene needs {bytes} bytes, and at most {MOST_BYTES} are given to one")));
+        return Err(Failure::Call(format!("the scene needs {bytes} bytes of memory, and the limit is {MOST_BYTES}")));
     }
     if !(file.duration.is_finite() && file.duration > 0.0) {
-        return Err(Failure::Call(format!("duration is {}, and must be larger than 0", file.duration)));
+        return Err(Failure::Call(format!("duration is {} and must be larger than 0", file.duration)));
     }
     let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned());
     Ok(LoadedScene { name: if built_in.is_some() { name.to_owned() } else { stem.unwrap_or_default() }, file })
 }
 
-/// The scene of a RON text.
+/// Parses the RON text of a scene.
 fn parse(text: &str, origin: &Path) -> Result<SceneFile, Failure> {
     let options = ron::Options::default().with_default_extension(ron::extensions::Extensions::IMPLICIT_SOME);
     options.from_str(text).map_err(|e| {
         let line = e.span.start.line;
-        // the line names the field where ron does not
+        // ron does not always name the field, so the line is quoted
         let quoted = text.lines().nth(line.saturating_sub(1)).unwrap_or_default().trim();
         Failure::SceneText { file: origin.to_owned(), line, message: format!("{}, at `{quoted}`", e.code) }
     })
 }
 
-/// A scene error with where it comes from: `--set`, or the file and the line of the field, where the text has one.
+/// Adds the origin to a scene error: the `--set` argument that caused it, or the file and, if it is found, the line of
+/// the field.
 fn refusal(text: &str, origin: &Path, changes: &Changes, error: SceneError) -> Failure {
     let message = error.to_string();
     let field = message.split_whitespace().next().unwrap_or_default();
@@ -170,23 +172,24 @@ fn refusal(text: &str, origin: &Path, changes: &Changes, error: SceneError) -> F
     Failure::Scene { origin: format!("{}{line}", origin.display()), error }
 }
 
-/// `file` with a change as `--set` takes it.
+/// Returns `file` changed by the argument of a `--set`.
 fn set(file: &SceneFile, change: &str) -> Result<SceneFile, Failure> {
     let wrong = |what: String| Failure::Call(format!("--set {change}: {what}"));
     let (field, value) = change.split_once('=').ok_or_else(|| wrong("give FIELD=VALUE".into()))?;
     with(file, field, value).map_err(wrong)
 }
 
-/// `file` with one field changed. A field is named by the end of its path, the shortest path winning.
+/// Returns `file` with one field changed. A field is named by the end of its path; of several matches the shortest path
+/// wins.
 ///
 /// # Errors
-/// In words: no such field, or a value that does not fit.
+/// An unknown or ambiguous field, or a value that does not fit, as text.
 pub(crate) fn with(file: &SceneFile, field: &str, value: &str) -> Result<SceneFile, String> {
     let value: Value = serde_json::from_str(value).unwrap_or_else(|_| Value::String(value.to_owned()));
     let mut tree = serde_json::to_value(file).map_err(|e| e.to_string())?;
     let mut paths = Vec::new();
     collect_paths(&tree, "", &mut paths);
-    // items of a list may be named as in RON, and the first fluid without its number
+    // items of a list may be named as in RON, and `fluid` stands for the first fluid
     let path = field.replace('[', ".").replace(']', "");
     let path = path.strip_prefix("fluid.").map_or(path.clone(), |rest| format!("fluids.0.{rest}"));
     let ending = format!("/{}", path.replace('.', "/"));
@@ -196,7 +199,7 @@ pub(crate) fn with(file: &SceneFile, field: &str, value: &str) -> Result<SceneFi
     let (Some(path), None) = (best.next(), best.next()) else {
         return Err(match matches.len() {
             0 => format!("no field {field}"),
-            n => format!("{field} names {n} fields"),
+            n => format!("{field} matches {n} fields: give more of its path"),
         });
     };
     if let Some(place) = tree.pointer_mut(path) {
@@ -205,7 +208,7 @@ pub(crate) fn with(file: &SceneFile, field: &str, value: &str) -> Result<SceneFi
     serde_json::from_value(tree).map_err(|e| e.to_string())
 }
 
-/// JSON pointers of everything in a tree.
+/// Collects the JSON pointers of all values in a tree.
 fn collect_paths(tree: &Value, prefix: &str, out: &mut Vec<String>) {
     let mut add = |key: &str, value: &Value| {
         let path = format!("{prefix}/{key}");
@@ -219,10 +222,10 @@ fn collect_paths(tree: &Value, prefix: &str, out: &mut Vec<String>) {
     }
 }
 
-/// Makes every length of a scene of `now` particles larger at the same spacing, so that it has about `particles`.
+/// Scales all lengths of a scene of `now` fluid particles at constant spacing, so that it has about `particles`.
 fn scale(scene: &mut Scene, now: usize, particles: u64) -> Result<(), Failure> {
     if now == 0 || particles == 0 {
-        return Err(Failure::Call(format!("--particles {particles}: cannot scale a scene of {now} particles")));
+        return Err(Failure::Call(format!("--particles {particles}: cannot scale a scene of {now} fluid particles")));
     }
     let factor = (particles as f64 / now as f64).powf(1.0 / scene.dimension.count() as f64);
     let grow = |lengths: &mut Vec3| *lengths = lengths.map(|x| (f64::from(x) * factor) as f32);
@@ -248,11 +251,11 @@ fn scale(scene: &mut Scene, now: usize, particles: u64) -> Result<(), Failure> {
         field.spacing = (f64::from(field.spacing) * factor) as f32;
     }
     if let Some(air) = &mut scene.air {
-        // a coat grows as the surface does
+        // the layer of air grows with the surface
         let surface = factor.powi(scene.dimension.count() as i32 - 1);
         air.capacity = (f64::from(air.capacity) * surface).ceil().max(1.0) as u32;
     }
-    // a larger scene needs more cells, or far particles come to share them
+    // a larger scene needs more cells, because the grid wraps and distant particles would share cells
     let axes = scene.dimension.count();
     for cells in &mut scene.grid.cells[..axes] {
         *cells = (f64::from(*cells) * factor).ceil().max(3.0) as u32;

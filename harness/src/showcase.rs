@@ -1,4 +1,4 @@
-//! What happens without a command: the whole promise in about a minute.
+//! The showcase, which runs if no command is given: compare, run, plan and error study in about a minute.
 use crate::arguments::BackendName;
 use crate::compare::{self, Paths, compare};
 use crate::error_study::{self, CASE, QUICK};
@@ -12,19 +12,19 @@ use crate::run_length::RunLength;
 use crate::scenes::{Changes, load};
 use std::path::Path;
 
-/// Where the showcase writes.
+/// Output folder of the showcase.
 const FOLDER: &str = "out/showcase";
 
-/// Steps that the backends are compared over.
+/// Number of steps of the comparison.
 const COMPARED_STEPS: u64 = 200;
 
-/// Pictures of the run.
+/// Number of pictures of the run.
 const PICTURES: u64 = 41;
 
-/// Runs the showcase; true where every promise was kept.
+/// Runs the showcase. Returns false if a backend differs or a run of the error study fails.
 ///
 /// # Errors
-/// A step that cannot be made, files that cannot be written.
+/// A step that fails, or files that cannot be written.
 pub fn execute() -> Result<bool, Failure> {
     let folder = Path::new(FOLDER);
     make_folder(folder)?;
@@ -41,7 +41,7 @@ pub fn execute() -> Result<bool, Failure> {
     tell("## The same bits on every path\n")?;
     let devices: Vec<_> = device_if_any()?.into_iter().collect();
     if devices.is_empty() {
-        tell("No Vulkan device here: the GPU is left out. A software one will do (Debian: mesa-vulkan-drivers).\n")?;
+        tell("No Vulkan device: the GPU is left out. A software device will do (Debian: mesa-vulkan-drivers).\n")?;
     }
     let paths = Paths { cpu: true, threads: 2, devices };
     let comparison = compare(&named, RunLength::Steps(COMPARED_STEPS), &paths, &mut |_, _| ())?;
@@ -64,7 +64,7 @@ pub fn execute() -> Result<bool, Failure> {
     Ok(comparison.kept() && study.runs.iter().all(|run| run.error.is_some()))
 }
 
-/// A page without its first line, for a page that has a heading of its own.
+/// Returns a page without its first line, for a section that has its own heading.
 fn below_heading(page: &str) -> &str {
     page.split_once('\n').map_or(page, |(_, below)| below.trim_start())
 }

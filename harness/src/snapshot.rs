@@ -1,4 +1,4 @@
-//! A state of either backend: every array that a fluid consists of, bit by bit, in the order of the ids.
+//! A state of either backend: every array of the state, bit by bit, in the order of the particle ids.
 use crate::failure::Failure;
 use millpond_core::backend::hash::state_hash;
 use millpond_core::backend::layout::{f32x4, u32x2};
@@ -7,12 +7,12 @@ use millpond_core::scene::InitialParticle;
 use millpond_core::{Array, Solver, TimeReport};
 use millpond_gpu::GpuSolver;
 
-/// A state, by particle id. Two are equal where every bit of every array is.
+/// A state in the order of the particle ids. Two snapshots are equal if every bit of every array is equal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Snapshot {
-    /// The words of each array, by its number; empty where the scene does without.
+    /// Words of each array, by the number of the array; empty for arrays that the scene does not have.
     arrays: Vec<Vec<u32>>,
-    /// What became of the time step.
+    /// Simulated time and time step.
     pub clock: TimeReport,
 }
 
@@ -23,7 +23,7 @@ impl Default for Snapshot {
 }
 
 impl Snapshot {
-    /// Of arrays whose particles lie in these slots.
+    /// Sorts arrays by id: the particle with id i lies in slot `slots[i]` of the arrays.
     fn of<'a>(slots: &[u32], words: impl Fn(Array) -> &'a [u32], clock: TimeReport) -> Snapshot {
         let by_id = |&array: &Array| {
             let (all, entry) = (words(array), array.words());
@@ -38,22 +38,22 @@ impl Snapshot {
         Snapshot { arrays: Array::ALL.iter().map(by_id).collect(), clock }
     }
 
-    /// Of a CPU solver.
+    /// Takes a snapshot of a CPU solver.
     #[must_use]
     pub fn of_cpu(solver: &Solver<'_>) -> Snapshot {
         Snapshot::of(solver.slots(), |array| solver.words(array), solver.time_report())
     }
 
-    /// Of a GPU solver.
+    /// Takes a snapshot of a GPU solver.
     ///
     /// # Errors
-    /// The device failed.
+    /// A failure of the device.
     pub fn of_gpu(solver: &GpuSolver) -> Result<Snapshot, Failure> {
         let state = solver.read()?;
         Ok(Snapshot::of(state.slots(), |array| state.words(array), solver.time_report()?))
     }
 
-    /// Of particles alone.
+    /// Makes a snapshot of positions and velocities only.
     #[must_use]
     pub fn of_particles(position: &[f32x4], velocity: &[f32x4]) -> Snapshot {
         let mut state = Snapshot::default();
@@ -62,54 +62,55 @@ impl Snapshot {
         state
     }
 
-    /// An array as words of four bytes.
+    /// Returns an array as 32-bit words.
     #[must_use]
     pub fn words(&self, array: Array) -> &[u32] {
         &self.arrays[array as usize]
     }
 
-    /// The same, to be changed.
+    /// Returns an array as 32-bit words that can be changed.
     pub fn words_mut(&mut self, array: Array) -> &mut Vec<u32> {
         &mut self.arrays[array as usize]
     }
 
-    /// An array of vectors.
+    /// Returns an array as vectors.
     #[must_use]
     pub fn vectors(&self, array: Array) -> &[f32x4] {
         bytemuck::cast_slice(self.words(array))
     }
 
-    /// Position, m.
+    /// Returns the positions, m, with the relative masses in the fourth component.
     #[must_use]
     pub fn position(&self) -> &[f32x4] {
         self.vectors(Array::position)
     }
 
-    /// Velocity, m/s.
+    /// Returns the velocities, m/s, with the material indices in the fourth component.
     #[must_use]
     pub fn velocity(&self) -> &[f32x4] {
         self.vectors(Array::velocity)
     }
 
-    /// [`QUANTITIES`](millpond_core::backend::layout::QUANTITIES).
+    /// Returns density deviation, pressure, near pressure and volume
+    /// ([`QUANTITIES`](millpond_core::backend::layout::QUANTITIES)).
     #[must_use]
     pub fn density_pressure(&self) -> &[f32x4] {
         self.vectors(Array::density_pressure)
     }
 
-    /// Thermal energy, J/kg, and its rate, W/kg; empty where the scene keeps no account of it.
+    /// Returns the internal energy, J/kg, and its rate, W/kg; empty if the scene does not compute it.
     #[must_use]
     pub fn internal_energy(&self) -> &[f32x4] {
         self.vectors(Array::internal_energy)
     }
 
-    /// Ends of springs, each particle's side by side; empty where the scene has none.
+    /// Returns the ends of springs, grouped by particle; empty if the scene has no springs.
     #[must_use]
     pub fn spring_ends(&self) -> &[u32x2] {
         bytemuck::cast_slice(self.words(Array::spring_ends))
     }
 
-    /// Where particles would be to go on from here.
+    /// Returns particles with which a solver can start from this state.
     pub fn places(&self) -> impl Iterator<Item = InitialParticle> {
         let vector = |[x, y, z, _]: f32x4| [x, y, z];
         let all = self.position().iter().zip(self.velocity()).zip(self.density_pressure());
@@ -123,7 +124,7 @@ impl Snapshot {
         })
     }
 
-    /// The state hash, as core computes it.
+    /// Returns the state hash, as the core crate computes it.
     #[must_use]
     pub fn hash(&self) -> u64 {
         let slots: Vec<u32> = (0..self.position().len() as u32).collect();

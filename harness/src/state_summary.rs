@@ -1,4 +1,4 @@
-//! What can be said of a state as a whole, the same for every backend: a CPU solver is set up from it and asked.
+//! Summary of a state. To be the same for every backend, it is computed by a CPU solver that is started from the state.
 use crate::energy::{scale, total};
 use crate::failure::Failure;
 use crate::snapshot::Snapshot;
@@ -9,44 +9,44 @@ use millpond_core::scene::{Elasticity, GridStructure, Integrator, Scene};
 use millpond_core::{Plan, Requirements, Solver};
 use serde::Serialize;
 
-/// A state in a few numbers.
+/// Summary of a state.
 #[derive(Clone, Debug)]
 pub struct StateSummary {
-    /// Mean number of particles inside a support radius, each counting itself.
+    /// Mean number of particles inside the support radius of a fluid particle, the particle itself included.
     pub average_neighbours: f64,
-    /// Compression.
+    /// Compression beyond the rest density.
     pub density_error: DensityError,
-    /// Energies but for heat, which the solver that was set up knows nothing of.
+    /// Energies. The internal energy is missing, since the solver that computes the summary does not know it.
     pub energies: Energies,
-    /// Mechanical energy with what compression stores, J; springs and surfaces left out.
+    /// Mechanical energy including that stored in compression, J; without springs and surface tension.
     pub mechanical: f64,
-    /// Energy that a scene in this state has to spend, J.
+    /// Energy available to a scene that starts in this state, J.
     pub to_spend: f64,
-    /// Fastest particle, m/s.
+    /// Largest speed of a particle, m/s.
     pub fastest: f64,
-    /// The step before it, s.
+    /// Time step that led to this state, s.
     pub time_step: f64,
-    /// Its Courant numbers.
+    /// Courant numbers of that step.
     pub courant: Courant,
-    /// Largest coordinate of a particle, m.
+    /// Largest absolute coordinate of a particle, m.
     pub farthest: f64,
 }
 
-/// A number at the first and at the last step.
+/// A value before the first step and after the last step.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct FirstLast {
-    /// At the first.
+    /// Before the first step.
     pub first: f64,
-    /// At the last.
+    /// After the last step.
     pub last: f64,
 }
 
-/// Mean and largest of something.
+/// Mean and maximum.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct MeanMax {
     /// Mean.
     pub mean: f64,
-    /// Largest.
+    /// Maximum.
     pub max: f64,
 }
 
@@ -56,19 +56,19 @@ impl From<DensityError> for MeanMax {
     }
 }
 
-/// Takes the state_summary of a state of `scene`.
+/// Summarizes a state of `scene`.
 ///
 /// # Errors
-/// A state that no step could start from.
+/// A state from which no solver can start.
 pub fn summarize(scene: &Scene, state: &Snapshot) -> Result<StateSummary, Failure> {
     let count = state.position().len();
-    // walls may have moved particles into cells that are full: the index sort takes any number
+    // penalty walls may have moved particles into full cells, and the index sort has no limit per cell
     let mut scene = scene.clone();
     scene.grid.structure = GridStructure::IndexSort;
-    // springs are made where particles start, and this is not where they did
+    // springs are created between the initial positions, and these are not
     scene.fluids.iter_mut().for_each(|fluid| fluid.elastic_stiffness = 0.0);
     scene.elasticity = Elasticity::default();
-    // nor does an integrator remember anything of them
+    // nor is there a history for the integrator
     (scene.model.integrator, scene.model.reevaluate, scene.adaptive) = (Integrator::default(), false, None);
     let refused = |error| Failure::Scene { origin: "state_summary".into(), error };
     let scene = &scene.check().map_err(refused)?;

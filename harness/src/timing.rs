@@ -1,18 +1,18 @@
-//! Times of steps, told by their minimum and their median: the machine's speed changes while one measures.
+//! Times of steps, given by their minimum and median, since the speed of the machine varies during a measurement.
 use serde::Serialize;
 use std::time::Instant;
 
-/// Milliseconds a step.
+/// Times of a step, ms.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Milliseconds {
-    /// The shortest.
+    /// Shortest time.
     pub min: f64,
-    /// The middle one.
+    /// Median time.
     pub median: f64,
 }
 
 impl Milliseconds {
-    /// Of a list of times; zero of none.
+    /// Returns minimum and median of a list of times, or 0 for an empty list.
     #[must_use]
     pub fn of(times: &[f64]) -> Milliseconds {
         let mut sorted = times.to_vec();
@@ -22,7 +22,7 @@ impl Milliseconds {
     }
 }
 
-/// Does `work`, returns its result and how many milliseconds it took.
+/// Runs `work` and returns its result and the time that it took, ms.
 pub fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
     let start = Instant::now();
     let result = work();

@@ -1,4 +1,4 @@
-//! What a user should know of a scene that ran: choices that are known to end badly, and limits of the time step.
+//! Warnings about a scene that ran: choices known to give bad results, and violated limits of the time step.
 use crate::energy::{GROWTH_LIMIT, driven_by};
 use crate::state_summary::StateSummary;
 use millpond_core::Checked;
@@ -9,24 +9,28 @@ use millpond_core::backend::validate::MOST_SPACINGS_AWAY;
 use millpond_core::scene::{Dimension, Fluid, Kernel, NearPressure, Scene, SurfaceTension};
 use std::f64::consts::PI;
 
-/// Largest share of its support that sound and the fastest particle together may cross in a step: past it explicit
-/// integration loses pairs it should have felt (Monaghan 1992).
+/// Largest sum of the Courant numbers of sound and of the fastest particle, on the support radius. Above it explicit
+/// integration misses interactions between particles (Monaghan 1992).
 const COURANT_LIMIT: f64 = 0.4;
 
-/// Share of `H^2 / nu` that a step may last: twice the 0.125 of Morris et al. 1997 on half of the support, which is the
-/// careful choice of an adaptive step.
+/// Limit of the time step by viscosity, as a multiple of `H^2 / nu`, where H is the support radius. Morris et al. 1997
+/// use 0.125 on half of the support radius, which is the cautious default of an adaptive step; this limit is twice
+/// that.
 const DIFFUSION_LIMIT: f64 = 0.0625;
 
-/// Share of `sqrt(rho h^3 / (2 pi sigma))` that a step may last, h being half of the support (Brackbill et al. 1992).
+/// Limit of the time step by surface tension, as a multiple of `sqrt(rho h^3 / (2 pi sigma))`, where h is half of the
+/// support radius (Brackbill et al. 1992).
 const CAPILLARY_LIMIT: f64 = 0.25;
 
-/// Largest product of a step and the frequency of a particle on all of its springs: at 2 it is thrown off.
+/// Largest product of the time step and the angular frequency of a particle on all of its springs. At 2 the motion is
+/// unstable.
 const SPRING_LIMIT: f64 = 1.0;
 
-/// Compression, in the mean, from which on a fluid is not what it was meant to be.
+/// Mean compression, as a share of the rest density, above which the user is warned.
 const COMPRESSION_LIMIT: f64 = 0.03;
 
-/// All that there is to say of a state, and of a run in which so many births of air found no particle.
+/// Returns all warnings about a state, and about a run in which `births_refused` spawn requests found no inactive air
+/// particle.
 #[must_use]
 pub fn warnings(scene: &Checked<'_>, state: &StateSummary, births_refused: u64) -> Vec<String> {
     let time_step = state.time_step;
@@ -37,29 +41,27 @@ pub fn warnings(scene: &Checked<'_>, state: &StateSummary, births_refused: u64) 
     warnings.extend(scene.fluids.iter().find_map(|fluid| capillary(scene, fluid, time_step)));
     warnings.extend(scene.derived().fluids.iter().find_map(|fluid| springs(scene, fluid, time_step)));
     if scene.model.near_pressure != NearPressure::Off && !scene.model.negative_pressure {
-        warnings
-            .push("near pressure without suction has nothing to balance it: this liquid will expand like a gas".into());
+        warnings.push("near pressure without model.negative_pressure makes the liquid expand like a gas".into());
     }
     if scene.acceleration_field.is_some() {
         warnings.push(
-            "the scene's field is its host's to fill, and this program fills none: it acts as if it were 0".into(),
+            "the values of acceleration_field come from a calling program: without one, the field is 0 here".into(),
         );
     }
     if births_refused > 0 {
-        warnings.push("a bare surface found no air left to be made: a larger air.capacity covers all of it".into());
+        warnings.push("air.capacity was too small to cover all of the free surface with air: increase it".into());
     }
     warnings.extend(pairing(scene));
     let compression = state.density_error.mean;
     if compression > COMPRESSION_LIMIT {
         let percent = compression * 100.0;
-        warnings.push(format!(
-            "the fluid is compressed by {percent:.1} % on average: a larger speed_of_sound holds better"
-        ));
+        warnings.push(format!("the fluid is compressed by {percent:.1} % on average: increase speed_of_sound"));
     }
     warnings
 }
 
-/// Did what nothing drives gain energy between these two states? Where springs or surfaces store some, nobody can say.
+/// Returns a warning if the energy of an undriven fluid grew between two states. Returns `None` for scenes with
+/// springs, surface tension, air or an acceleration field, whose energy is not fully accounted for.
 #[must_use]
 pub fn gained(scene: &Scene, first: &StateSummary, last: &StateSummary) -> Option<String> {
     let stores = |fluid: &Fluid| fluid.elastic_stiffness > 0.0 || fluid.surface_tension > 0.0;
@@ -70,7 +72,10 @@ pub fn gained(scene: &Scene, first: &StateSummary, last: &StateSummary) -> Optio
     let share = (last.mechanical - first.mechanical) / first.to_spend;
     (share > GROWTH_LIMIT).then(|| {
         let percent = share * 100.0;
-        format!("the fluid gained energy, {percent:.0} % of what it had to spend: the run is unstable; try a smaller time_step")
+        format!(
+            "the fluid gained energy, {percent:.0} % of its available energy, so the run is unstable: try a \
+             smaller time_step"
+        )
     })
 }
 
@@ -78,32 +83,33 @@ fn courant(Courant { speed, sound, .. }: Courant) -> Option<String> {
     let courant = sound + speed;
     (courant > COURANT_LIMIT).then(|| {
         format!(
-            "Courant number {courant:.2} is larger than {COURANT_LIMIT}: a smaller time_step or speed_of_sound is safer, \
-             and adaptive finds one"
+            "Courant number {courant:.2} is larger than {COURANT_LIMIT}: use a smaller time_step or speed_of_sound, or \
+             set adaptive"
         )
     })
 }
 
-/// Does viscosity reach further in a step than the neighbours it acts on?
+/// Warns if the time step exceeds the stability limit of explicit viscosity.
 fn diffusion(Courant { viscosity, .. }: Courant) -> Option<String> {
     (viscosity > DIFFUSION_LIMIT).then(|| {
         format!(
-            "viscosity needs a time_step {:.1} times smaller: explicit diffusion turns velocities round (Morris et al. 1997)",
+            "viscosity needs a time_step {:.1} times smaller: explicit viscosity is unstable above its limit and \
+             reverses velocities (Morris et al. 1997)",
             viscosity / DIFFUSION_LIMIT
         )
     })
 }
 
-/// Is a particle where f32 has too few digits for what happens between it and others?
+/// Warns if a particle is so far from the origin that f32 has too few digits for distances between neighbours.
 fn resolution(scene: &Scene, farthest: f64) -> Option<String> {
     let most = f64::from(MOST_SPACINGS_AWAY) * f64::from(scene.particle_spacing);
     (farthest > most).then(|| {
         let step = (farthest as f32).next_up() - farthest as f32;
-        format!("a particle is {farthest:.1e} m from the origin, where it can only move by steps of {step:.1e} m")
+        format!("a particle is {farthest:.1e} m from the origin, where f32 resolves positions only to {step:.1e} m")
     })
 }
 
-/// Does a step last longer than the waves of the surface allow?
+/// Warns if the time step is too long for capillary waves.
 fn capillary(scene: &Scene, fluid: &Fluid, time_step: f64) -> Option<String> {
     let curved = matches!(scene.model.surface_tension, SurfaceTension::Curvature | SurfaceTension::NormalCurvature);
     let sigma = f64::from(fluid.surface_tension);
@@ -113,23 +119,27 @@ fn capillary(scene: &Scene, fluid: &Fluid, time_step: f64) -> Option<String> {
     let h = support_radius(scene) / 2.0;
     let most = CAPILLARY_LIMIT * (f64::from(fluid.rest_density) * h.powi(3) / (2.0 * PI * sigma)).sqrt();
     (time_step > most)
-        .then(|| format!("waves of the surface need a time_step of at most {most:.1e} s (Brackbill et al. 1992)"))
+        .then(|| format!("surface tension needs a time_step of at most {most:.1e} s (Brackbill et al. 1992)"))
 }
 
-/// Does a step last longer than a particle on all of its springs allows?
+/// Warns if the time step is too long for a particle on all of its springs.
 fn springs(scene: &Checked<'_>, fluid: &FluidConstants, time_step: f64) -> Option<String> {
-    // each of them pulls with half of its stiffness, and those along a direction are a share of all
+    // spring_pull is half of the stiffness over the mass, and of all springs only one in as many as there are axes
+    // counts along a direction
     let ends = scene.derived().springs_of_particle as f64 / scene.dimension.count() as f64;
     let omega = (fluid.spring_pull * ends).sqrt();
     (omega * time_step > SPRING_LIMIT)
-        .then(|| format!("springs need a time_step of at most {:.1e} s", SPRING_LIMIT / omega))
+        .then(|| format!("elasticity needs a time_step of at most {:.1e} s", SPRING_LIMIT / omega))
 }
 
-/// Neighbours, itself counted, from which on a kernel lets particles pair; none where it never does.
+/// Returns the number of neighbours, the particle itself included, above which a kernel lets particles pair; `None` for
+/// kernels that never do.
 ///
-/// The cubic spline does from about 55 on in space (Dehnen and Aly 2012), 27 in the plane. What decides is how far out its
-/// slope is steepest: two particles nearer than that push each other less the nearer they come. Other kernels are held
-/// against it by that distance. Wendland's, whose Fourier transforms are positive, and those with an edge never pair.
+/// The limits of the cubic spline are about 55 neighbours in 3D (Dehnen and Aly 2012) and 27 in 2D. What matters is the
+/// distance at which the slope of the kernel is steepest: two particles that are closer than that repel each other less
+/// the closer they get. The limits of other kernels are scaled from those of the cubic spline by that distance.
+/// Particles never pair with the Wendland kernels, whose Fourier transforms are positive, or with kernels that have a
+/// cusp at zero distance.
 fn most_neighbours(kernel: Kernel, dimension: Dimension) -> Option<f64> {
     if kernel.is_cusped() || matches!(kernel, Kernel::WendlandC2 | Kernel::WendlandC4) {
         return None;
@@ -143,15 +153,15 @@ fn most_neighbours(kernel: Kernel, dimension: Dimension) -> Option<f64> {
     Some(of_spline * (steepest(Kernel::CubicSpline) / steepest(kernel)).powi(d as i32))
 }
 
-/// Do the pressure kernel and the neighbours invite pairing, with nothing to keep particles apart?
+/// Warns if the pressure kernel lets particles pair at this number of neighbours and no near pressure keeps them apart.
 fn pairing(scene: &Scene) -> Option<String> {
     let kernel = scene.model.pressure_kernel;
     let most = most_neighbours(kernel, scene.dimension)?;
     let apart = scene.model.near_pressure != NearPressure::Off;
     (f64::from(average_neighbours(scene)) > most + 0.5 && !apart).then(|| {
         format!(
-            "{kernel:?} lets particles pair from about {most:.0} neighbours on, and average_neighbours is {}: a Wendland \
-             kernel, fewer neighbours or near pressure keep them apart",
+            "with {kernel:?} particles form pairs above about {most:.0} neighbours, and average_neighbours is {}: use \
+             a Wendland kernel, fewer neighbours or near pressure",
             average_neighbours(scene)
         )
     })

@@ -1,5 +1,6 @@
-//! Promise: the program's contract. Exit status 0, 1, 2 or 3; with `--json` one document on stdout and nothing else; the
-//! keys that other programs rely on; bad input named with file, line and field, and nothing written.
+//! Promise: the interface of the program. The exit status is 0, 1, 2 or 3. With `--json` stdout is one document and
+//! nothing else, and it has the keys that other programs rely on. An error in the input names file, line and field, and
+//! nothing is written.
 use serde_json::Value;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -9,7 +10,7 @@ fn millpond(folder: &Path, arguments: &[&str]) -> Output {
     command.current_dir(folder).args(arguments).output().expect("it runs")
 }
 
-/// The one JSON document of a call that succeeds.
+/// Returns the JSON document of a call that must succeed.
 fn json(arguments: &[&str]) -> Value {
     let folder = tempfile::tempdir().expect("a folder");
     let output = millpond(folder.path(), arguments);
@@ -18,7 +19,7 @@ fn json(arguments: &[&str]) -> Value {
     serde_json::from_str(&out).unwrap_or_else(|e| panic!("{arguments:?}: {e}: {out}"))
 }
 
-/// Asserts that a document has these keys, `a.b` and `a[].b` meaning inside.
+/// Asserts that a document has these keys; `a.b` is a key of an object, and `a[].b` a key of all items of a list.
 fn has(document: &Value, keys: &[&str]) {
     for key in keys {
         let mut at = vec![document];
@@ -199,7 +200,7 @@ fn a_cell_past_its_capacity_is_refused() {
     let lists = r#"grid.structure={"CellLists":{"places":2}}"#;
     let output = millpond(folder.path(), &["run", "dam-break-2d", "--set", lists]);
     let err = String::from_utf8_lossy(&output.stderr);
-    assert!(err.contains("particles and 2 places"), "{err}");
+    assert!(err.contains("particles and has 2 places"), "{err}");
     assert_eq!(output.status.code(), Some(2), "the scene cannot start, so the scene is wrong: {err}");
 }
 
@@ -224,7 +225,7 @@ fn a_map_goes_on_where_it_was_cut_off() {
     }
     let path = folder.path().join("map/stability.jsonl");
     let text = std::fs::read_to_string(&path).expect("it is there");
-    // a finished point is believed: were it run again, it would come out stable
+    // a finished point is not run again: if it were, it would be stable
     let told = text.replacen("\"outcome\":\"stable\"", "\"outcome\":\"refused\"", 1);
     assert_ne!(told, text, "some step is stable");
     std::fs::write(&path, &told[..told.len() - 20]).expect("it can be cut");

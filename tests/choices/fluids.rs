@@ -1,4 +1,4 @@
-//! Several fluids in a scene, air, springs, and properties of a fluid.
+//! Choices of several fluids in a scene, air, springs, and properties of a fluid.
 use super::Add;
 use super::scenes::{pulled, second_fluid, walls};
 use millpond_core::glam::Vec3;

@@ -1,4 +1,4 @@
-//! Kernels, densities, pressures, viscosities and tensions of one model.
+//! Choices of kernel, density, pressure, viscosity and surface tension.
 use super::Add;
 use super::scenes::{pulled, second_fluid, walls};
 use millpond_core::scene::{

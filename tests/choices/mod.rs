@@ -1,4 +1,5 @@
-//! Every choice that a scene can make, one at a time against the defaults; made from the lists of the choices themselves.
+//! Every choice that a scene can make, one at a time against the defaults. The scenes are made from the lists of the
+//! choices themselves.
 #![allow(unreachable_pub, reason = "a module of a test")]
 mod fluids;
 mod formulas;
@@ -11,10 +12,10 @@ use millpond_core::scene::Scene;
 pub use plainest::plainest;
 pub use scenes::base;
 
-/// Takes a name and what it changes.
+/// A callback that takes a name and a change of the scene.
 type Add<'a> = &'a mut dyn FnMut(String, &dyn Fn(&mut Scene));
 
-/// Every choice, one at a time.
+/// Returns every choice, one at a time, with its name.
 pub fn choices(base: &Scene) -> Vec<(String, Scene)> {
     let mut all = vec![("defaults".to_owned(), base.clone())];
     let mut add = |what: String, change: &dyn Fn(&mut Scene)| {

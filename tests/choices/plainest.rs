@@ -1,7 +1,8 @@
-//! Which choices theory says are the same.
+//! Which choices are equivalent in theory.
 use millpond_core::scene::{DensityForm, EquationOfState, PressureForce, Scene, Viscosity};
 
-/// The scene in the plainest words: choices that theory says are the same become one. All others must make a difference.
+/// Returns the scene in its plainest form: of choices that are equivalent in theory, one replaces the others. All other
+/// choices must make a difference.
 pub fn plainest(scene: &Scene) -> Scene {
     use DensityForm as D;
     use PressureForce as P;
@@ -9,11 +10,11 @@ pub fn plainest(scene: &Scene) -> Scene {
     let m = &mut s.model;
     let one_mass = s.fluids.len() == 1 && !m.initialize_hydrostatic;
     if !m.initialize_hydrostatic {
-        // a number density times the own mass is the adapted sum
+        // the adapted sum is the number density times the particle's own mass
         m.density = if m.density == D::SummationAdapted { D::NumberDensity } else { m.density };
     }
     if !matches!(m.density, D::Summation | D::Continuity) {
-        // on a density that counts numbers a volume is one over it in any form
+        // with a number density, every form computes the volume as its inverse
         m.pressure_force = match m.pressure_force {
             P::MuellerAdapted => P::Mueller,
             P::MonaghanAdapted | P::NumberDensity => P::Monaghan,
@@ -22,7 +23,7 @@ pub fn plainest(scene: &Scene) -> Scene {
         m.viscosity = if m.viscosity == Viscosity::MuellerAdapted { Viscosity::Mueller } else { m.viscosity };
     }
     if one_mass {
-        // where all particles weigh the same, numbers are masses
+        // if all particles have the same mass, a number density and a mass density are equivalent
         m.density = match m.density {
             D::NumberDensity => D::Summation,
             D::ContinuityAdapted => D::Continuity,
@@ -36,7 +37,7 @@ pub fn plainest(scene: &Scene) -> Scene {
             };
         }
     }
-    // a gas has no negative pressure
+    // an ideal gas has no negative pressure
     m.negative_pressure |= m.equation_of_state == EquationOfState::IdealGas;
     if m.viscosity != Viscosity::VelocityExchange {
         s.model.velocity_exchange = 0.0;

@@ -1,8 +1,8 @@
-//! What choices are made against, and what several of them need to act on.
+//! The scene against which choices are made, and features that several choices need to have an effect.
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{Block, Container, Dimension, Face, Fluid, Grid, Scene, SurfaceTension, Wall, WallShape};
 
-/// A scene that has something of everything to act on: two blocks that collide over a floor, with gravity.
+/// Returns a scene in which every choice has an effect: two blocks that collide above a floor, with gravity.
 pub fn base(dimension: Dimension) -> Scene {
     let fluid = Fluid { dynamic_viscosity: 2.0, ..Fluid::default() };
     let depth = if dimension == Dimension::Three { 0.2 } else { 0.0 };
@@ -19,19 +19,19 @@ pub fn base(dimension: Dimension) -> Scene {
     scene
 }
 
-/// Lets the first block meet the floor and the left wall at once.
+/// Makes the first block hit the floor and the left wall at once.
 pub fn falls(s: &mut Scene) {
     (s.blocks[0].corner, s.blocks[0].velocity) = (Vec3::new(0.0, 0.0, 0.1), Vec3::new(-5.0, -5.0, 0.0));
 }
 
-/// Makes the second block one of another fluid, lighter and stiffer.
+/// Turns the second block into another fluid, lighter and with a higher speed of sound.
 pub fn second_fluid(s: &mut Scene) {
     let light = Fluid { rest_density: 700.0, speed_of_sound: 12.0, dynamic_viscosity: 5.0, ..Fluid::default() };
     let _ = s.fluids.push(light);
     s.blocks[1].fluid = 1;
 }
 
-/// Gives every fluid some tension, where the scene has a model of it.
+/// Gives every fluid some surface tension, where the scene has a model of it.
 pub fn pulled(s: &mut Scene) {
     let tension = match s.model.surface_tension {
         SurfaceTension::Off => 0.0,
@@ -41,7 +41,7 @@ pub fn pulled(s: &mut Scene) {
     s.fluids.iter_mut().for_each(|fluid| fluid.surface_tension = tension);
 }
 
-/// A box open above, whose floor slides.
+/// Adds walls of particles: a box that is open above and whose surfaces slide along x.
 pub fn walls(s: &mut Scene) {
     let (low, high) = ([0.0; 3], [0.8, 0.6, 0.4]);
     let shape = WallShape::Box { low: low.into(), high: high.into(), open: [Face::Ceiling].into_iter().collect() };

@@ -1,4 +1,5 @@
-//! What is around the fluid: supports, walls, sides, fields; and everything at once.
+//! Choices of what surrounds the fluid: variable supports, walls, periodic sides, wind and acceleration fields; and
+//! everything at once.
 use super::Add;
 use super::scenes::{falls, pulled, second_fluid, walls};
 use millpond_core::glam::Vec3;

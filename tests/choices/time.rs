@@ -1,4 +1,4 @@
-//! Integrators, and time steps that change.
+//! Choices of integrators, and of time steps that change.
 use super::Add;
 use super::scenes::{pulled, second_fluid, walls};
 use millpond_core::glam::Vec3;
@@ -37,7 +37,7 @@ pub fn time(add: Add<'_>) {
             });
             add(format!("integrator {integrator:?}, adaptive, and made again"), &|s| {
                 s.model.integrator = integrator;
-                // too long a first step, and a criterion that tightens as the blocks meet
+                // the first step is too long, and the criterion tightens as the blocks meet
                 s.time_step = 0.004;
                 let reject_ratio = Some(1.01);
                 s.adaptive =
@@ -66,7 +66,8 @@ pub fn time(add: Add<'_>) {
     add("stiffness_for_time_step".into(), &|s| s.stiffness_for_time_step = Some(0.2));
 }
 
-/// Does evaluating its forces again make a difference that its places do not undo?
+/// Returns whether forces may be evaluated again with this integrator: not where they already use the velocity at the
+/// end of the step, nor where particles move after the forces.
 fn again(integrator: Integrator) -> bool {
     use Integrator::*;
     !matches!(integrator, Euler | SemiImplicitEuler | Clavet | PositionCorrectedBeeman)

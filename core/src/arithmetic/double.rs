@@ -1,8 +1,9 @@
-//! One `f64`: the terms at twice the digits, for constants that follow from them.
+//! One `f64`: it evaluates the terms with twice the digits, for constants that are derived from them.
 use super::real::Real;
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// One `f64`. Literals of the terms are `f32`, so what is no binary fraction has their digits only.
+/// One `f64`. The literals of the terms are `f32`, so one that is not a binary fraction is only accurate to the digits
+/// of `f32`.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Double(pub f64);
 

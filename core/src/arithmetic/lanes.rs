@@ -1,48 +1,49 @@
-//! Lanes as receivers by neighbours. In each block of four lanes stand four neighbours of one particle, the receiver,
-//! whose own numbers are the same in all four: so nearly every lane holds a pair. The terms do not know of it; sums are
-//! added up in the order of the neighbours, one after the other, so that no level changes a bit.
+//! Lanes as receivers by neighbours. Each block of four lanes holds four neighbours of one particle, the receiver,
+//! whose own numbers are the same in all four lanes, so nearly every lane holds a pair. The terms do not depend on this
+//! layout. Sums are added up in the order of the neighbours, one after the other, so that the SIMD level does not
+//! change a bit.
 use super::blocks::Blocks;
 use super::codes::{FEW, MOST_LANES, Offsets, ROW_BITS, Windows, slot};
 use super::real::{Real, vec3};
 use crate::layout::f32x4;
 
-/// The slot of a particle for each lane, all of them below the number of particles.
+/// The slot of a particle for each lane. All slots are below the number of particles.
 pub(crate) struct Slots {
-    /// In bytes of rows: those in use, and those that are made ready meanwhile.
+    /// Byte offsets of the rows: one array is in use, while the other is being prepared.
     offsets: [Offsets; 2],
-    /// Which are in use.
+    /// Index of the array in use.
     turn: usize,
     particles: usize,
 }
 
 impl Slots {
-    /// Of a scene with so many particles: the first of them in all lanes.
+    /// Returns the first slot in all lanes, for a scene with this number of particles.
     #[inline(always)]
     pub(crate) fn first(particles: usize) -> Slots {
         assert!(particles > 0 && particles < 1 << (u32::BITS - ROW_BITS), "offsets have 32 bits");
         Slots { offsets: [Offsets([0; MOST_LANES]); 2], turn: 0, particles }
     }
 
-    /// Decodes the slots of the next neighbours, one a lane, beside those in use.
+    /// Decodes the slots of the next neighbours, one per lane, while the current slots stay in use.
     ///
     /// # Panics
-    /// Where one is no particle's.
+    /// If a code does not stand for a particle.
     #[inline(always)]
     pub(crate) fn prepare<R: Lanes>(&mut self, codes: &[u16], windows: &Windows) {
         let ready = &mut self.offsets[(self.turn ^ 1) & 1];
         assert!(R::decode(codes, windows, ready, self.particles as u32), "a list names nobody");
     }
 
-    /// Uses the slots that were decoded last.
+    /// Switches to the slots that were decoded last.
     #[inline(always)]
     pub(crate) fn advance(&mut self) {
         self.turn ^= 1;
     }
 
-    /// Uses these slots.
+    /// Switches to these slots.
     ///
     /// # Panics
-    /// Where one is no particle's.
+    /// If a slot does not hold a particle.
     #[inline(always)]
     pub(crate) fn set(&mut self, slots: &[u32; MOST_LANES]) {
         assert!(slots.iter().all(|&slot| (slot as usize) < self.particles), "a search found nobody");
@@ -55,69 +56,70 @@ impl Slots {
         reason = "to be read from memory, where a vector was stored: lanes taken out of its register are slower"
     )]
     fn offset(&self, lane: usize) -> usize {
-        // SAFETY: it is a number that this value owns
+        // SAFETY: the pointer comes from a reference to a number that this value owns.
         unsafe { core::ptr::from_ref(&self.offsets[self.turn & 1].0[lane]).read_volatile() as usize }
     }
 
-    /// The slot of a lane's particle.
+    /// Returns the slot of a lane's particle.
     #[inline(always)]
     pub(crate) fn lane(&self, lane: usize) -> usize {
         self.offset(lane) >> ROW_BITS
     }
 
-    /// The row of each lane's particle.
+    /// Returns the row of a lane's particle.
     #[inline(always)]
     #[expect(unsafe_code, reason = "a bound to check a lane and array would cost a fifth of a step")]
     pub(crate) fn row<'r>(&self, rows: &'r [f32x4], lane: usize) -> &'r f32x4 {
         assert!(self.particles <= rows.len());
-        // SAFETY: all that fills the offsets has seen that each slot is below `particles`, of which there are rows.
+        // SAFETY: `first`, `prepare` and `set`, which fill the offsets, check that each slot is below `particles`, and
+        // there are at least that many rows.
         unsafe { &*rows.as_ptr().byte_add(self.offset(lane)) }
     }
 }
 
-/// A level of the vocabulary whose lanes can hold receivers by neighbours.
+/// A SIMD level whose lanes can hold receivers by neighbours.
 pub(crate) trait Lanes: Real {
-    /// Receivers side by side.
+    /// Number of receivers side by side.
     const RECEIVERS: usize;
-    /// Neighbours of each side by side.
+    /// Number of neighbours of each receiver side by side.
     const NEIGHBOURS: usize;
     /// Four running sums for each receiver.
     type Sums: Copy;
 
-    /// The four numbers of each lane's particle.
+    /// Returns the four numbers of each lane's particle.
     fn gather(rows: &[f32x4], slots: &Slots) -> [Self; 4];
-    /// The four numbers of each receiver, in all of its lanes.
+    /// Returns the four numbers of each receiver, in all of the receiver's lanes.
     fn spread<'r>(row: impl Fn(usize) -> &'r f32x4) -> [Self; 4];
     /// Writes a row for each receiver, from four vectors that hold one number in all lanes of a receiver.
     fn rows(spread: [Self; 4], out: &mut [f32x4]);
-    /// The four numbers of as many particles as there are lanes, one a lane.
+    /// Returns the four numbers of as many particles as there are lanes, one particle per lane.
     fn load<'r>(row: impl Fn(usize) -> &'r f32x4) -> [Self; 4];
-    /// Writes such vectors back as rows.
+    /// Writes vectors with one particle per lane back as rows.
     fn store(lanes: [Self; 4], out: &mut [f32x4]);
 
-    /// Nothing summed yet.
+    /// Returns sums to which nothing has been added.
     fn nothing() -> Self::Sums;
-    /// The sums with what the neighbours in the lanes add, one after the other.
+    /// Returns the sums after adding the contributions of the neighbours in the lanes, one after the other.
     fn add_up(sums: Self::Sums, parts: [Self; 4]) -> Self::Sums;
-    /// The sums of each receiver, in all of its lanes.
+    /// Returns the sums of each receiver, in all of the receiver's lanes.
     fn sums(sums: Self::Sums) -> [Self; 4];
 
-    /// As many numbers of each receiver as it has neighbours in the lanes.
+    /// Returns as many numbers of each receiver as it has neighbours in the lanes.
     fn numbers<'r>(of: impl Fn(usize) -> &'r [f32]) -> Self;
-    /// Numbers side by side in memory.
+    /// Reads consecutive numbers, one per lane.
     fn read(from: &[f32]) -> Self;
-    /// Numbers side by side into memory.
+    /// Writes consecutive numbers, one per lane.
     fn write(self, to: &mut [f32]);
-    /// Fills in the slots that codes stand for. False where one is not below the limit.
+    /// Decodes codes to the byte offsets of their slots. Returns false if a slot is not below the limit.
     fn decode(codes: &[u16], windows: &Windows, offsets: &mut Offsets, limit: u32) -> bool;
-    /// Appends those of the codes and numbers in whose lanes the mask holds; returns how many there are then. There
+    /// Appends the codes and numbers of the lanes in which the mask holds, and returns the new number of entries. There
     /// must be room for all lanes.
     fn append(to: (&mut [u32], &mut [f32]), used: usize, codes: &[u32], numbers: Self, mask: Self::Mask) -> usize;
-    /// Entries of a column, by a whole number below its length.
+    /// Returns entries of a column. `index` is an integer below the column's length.
     fn pick(column: &[f32; FEW], index: Self) -> Self;
 }
 
-/// The first three of four numbers.
+/// Returns the first three of four numbers as a vector.
 #[inline(always)]
 pub(crate) fn xyz<R>([x, y, z, _]: [R; 4]) -> vec3<R> {
     vec3(x, y, z)
@@ -191,7 +193,7 @@ impl Lanes for f32 {
     }
 }
 
-/// Blocks of four lanes: a receiver in each block, by four of its neighbours.
+/// Blocks of four lanes: each block holds one receiver, with four of its neighbours.
 impl<R: Blocks> Lanes for R {
     const RECEIVERS: usize = R::LANES / 4;
     const NEIGHBOURS: usize = 4;
@@ -291,7 +293,7 @@ mod tests {
     use crate::arithmetic::codes::WINDOW_BITS;
     use crate::arithmetic::level::{Simd, Work};
 
-    /// Decodes a code in all lanes; whether each is that of a particle is what comes out.
+    /// Decodes a code in all lanes, and notes whether the slots are below the limit.
     struct Decode<'a> {
         code: u16,
         windows: &'a Windows,
@@ -325,7 +327,7 @@ mod tests {
         }
     }
 
-    /// The larger and the smaller of every two of some numbers, a pair in each lane in turn.
+    /// Collects the bits of the larger and the smaller of every two of some numbers, as computed in the last lane.
     struct Extremes<'a>(&'a mut std::vec::Vec<[u32; 4]>);
 
     impl Work for Extremes<'_> {

@@ -1,7 +1,8 @@
-//! Which numbers a pass runs on: scalar, lanes in the target's base instructions, in AVX2, or in AVX-512.
+//! SIMD levels: a pass computes with scalar numbers, or with lanes in the base instructions of the target, in AVX2 or
+//! in AVX-512.
 //!
-//! The choice changes speed, never a bit. `core` cannot ask the operating system, so [`Simd::detect`] reads the
-//! processor itself; a host that knows better names a level.
+//! The level changes the speed and never a bit. `core` cannot ask the operating system, so [`Simd::detect`] reads the
+//! processor itself. A caller that has better information sets a level.
 use super::lanes::Lanes;
 
 /// The vector of the target's base instructions.
@@ -10,11 +11,11 @@ use super::portable::Four as Base;
 #[cfg(target_arch = "x86_64")]
 use super::x86::Sse as Base;
 
-/// A way to compute, from slowest to fastest.
+/// A SIMD level, from slowest to fastest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Simd {
-    /// One particle at a time: the plain reading of the terms.
+    /// One particle at a time, in scalar numbers.
     Scalar,
     /// Four lanes in the instructions that every processor of the target has.
     Base,
@@ -24,10 +25,10 @@ pub enum Simd {
     Avx512,
 }
 
-/// Work that can be done in any kind of number: what a pass is to [`Simd`]. `run` must be `#[inline(always)]`, or it is
+/// Work that can be done at any SIMD level, such as a pass. `run` must be `#[inline(always)]`, because otherwise it is
 /// compiled for the base level.
 pub(crate) trait Work {
-    /// Does it.
+    /// Does the work with numbers of type `R`.
     fn run<R: Lanes>(self);
 }
 
@@ -35,7 +36,7 @@ impl Simd {
     /// All levels, from slowest to fastest.
     pub const ALL: [Simd; 4] = [Simd::Scalar, Simd::Base, Simd::Avx2, Simd::Avx512];
 
-    /// The fastest level of this processor.
+    /// Returns the fastest level of this processor.
     #[must_use]
     pub fn detect() -> Simd {
         let [avx2, avx512] = extensions();
@@ -46,13 +47,13 @@ impl Simd {
         }
     }
 
-    /// The levels that this processor has, from slowest to fastest.
+    /// Returns the levels that this processor has, from slowest to fastest.
     pub fn available() -> impl Iterator<Item = Simd> {
         let best = Simd::detect();
         Simd::ALL.into_iter().filter(move |level| *level <= best)
     }
 
-    /// This level, or the fastest one that the processor has where it lacks this one.
+    /// Returns this level, or the fastest level of the processor if it lacks this one.
     #[must_use]
     pub fn or_best(self) -> Simd {
         self.min(Simd::detect())
@@ -70,8 +71,8 @@ impl Simd {
     }
 }
 
-/// A function of its own for each level: without optimisation the places of all that is compiled into one lie side by
-/// side on the stack, and those of two levels are more than a thread has.
+/// Runs the work in a function of its own for each level. Without optimisation, the locals of all code compiled into
+/// one function lie side by side on the stack, and those of two levels need more stack than a thread has.
 #[inline(never)]
 fn run_by<R: Lanes, W: Work>(work: W) {
     work.run::<R>();
@@ -85,8 +86,8 @@ fn run_avx2<W: Work>(work: W) {
     fn vector<W: Work>(work: W) {
         work.run::<super::x86::Avx>();
     }
-    // SAFETY: a solver's level is what `detect` or `or_best` gave, and these give AVX2 only where cpuid and xgetbv show
-    // all that is enabled here.
+    // SAFETY: the level of a solver comes from `detect` or `or_best`, and these give AVX2 only where cpuid and xgetbv
+    // show all features that are enabled here.
     unsafe { vector(work) }
 }
 
@@ -98,7 +99,8 @@ fn run_avx512<W: Work>(work: W) {
     fn vector<W: Work>(work: W) {
         work.run::<super::x86::Avx512>();
     }
-    // SAFETY: as for AVX2; AVX-512 is given only with all that is enabled here, and what that brings with it.
+    // SAFETY: the level of a solver comes from `detect` or `or_best`, and these give AVX-512 only where cpuid and
+    // xgetbv show all features that are enabled here and those that they imply.
     unsafe { vector(work) }
 }
 
@@ -114,13 +116,13 @@ fn run_avx512<W: Work>(work: W) {
     run_by::<Base, W>(work);
 }
 
-/// Are there AVX2 and AVX-512? Intel's manual, volume 1, 14.7.1 and 15.2: they count where the processor has them and
-/// the system saves their registers.
+/// Returns whether AVX2 and AVX-512 are available: the processor has them, and the operating system saves their
+/// registers (Intel's manual, volume 1, sections 14.7.1 and 15.2).
 #[cfg(target_arch = "x86_64")]
 #[expect(unsafe_code, reason = "xgetbv faults where the system has not enabled it")]
 fn extensions() -> [bool; 2] {
     use core::arch::x86_64::{__cpuid, __cpuid_count, _xgetbv};
-    /// Is every one of these bits set?
+    /// Returns whether all of these bits are set.
     const fn all(word: u32, bits: &[u32]) -> bool {
         let mut i = 0;
         while i < bits.len() {
@@ -133,10 +135,10 @@ fn extensions() -> [bool; 2] {
     }
     #[target_feature(enable = "xsave")]
     fn saved_registers() -> u32 {
-        // SAFETY: called only below, once cpuid has shown xgetbv to be enabled.
+        // SAFETY: this function is called only below, after cpuid has shown that xgetbv is enabled.
         unsafe { _xgetbv(0) as u32 }
     }
-    // bits of leaves 1, 7 and 0x80000001
+    // These are bit numbers in the cpuid leaves 1, 7 and 0x80000001.
     let [fma, popcnt, osxsave, avx, f16c] = [12, 23, 27, 28, 29];
     let [bmi1, avx2, bmi2, f, dq, bw, vl] = [3, 5, 8, 16, 17, 30, 31];
     let lzcnt = 5;
@@ -144,15 +146,15 @@ fn extensions() -> [bool; 2] {
     if highest < 7 || !all(basic, &[osxsave, avx]) {
         return [false; 2];
     }
-    // SAFETY: cpuid says that the system has enabled xgetbv.
+    // SAFETY: cpuid has shown that the operating system has enabled xgetbv.
     let saved = unsafe { saved_registers() };
     let more = __cpuid_count(7, 0).ebx;
-    // SSE, AVX; masks, upper halves, registers from 16 on
+    // Bits of `saved`: 1 SSE, 2 AVX; 5 masks, 6 upper halves, 7 registers from 16 on.
     let has_avx2 = all(saved, &[1, 2])
         && all(basic, &[popcnt])
         && all(more, &[avx2, bmi1, bmi2])
         && all(__cpuid(0x8000_0001).ecx, &[lzcnt]);
-    // for the compiler avx512f has fused operations and half floats in it, though nothing here uses them
+    // To the compiler, avx512f implies fused operations and half floats, though nothing here uses them.
     [has_avx2, has_avx2 && all(basic, &[fma, f16c]) && all(saved, &[5, 6, 7]) && all(more, &[f, dq, bw, vl])]
 }
 

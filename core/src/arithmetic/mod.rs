@@ -1,11 +1,11 @@
-//! The numbers the physics is written in: one `f32`, or four, eight or sixteen side by side.
+//! The numbers in which the physics is written: one `f32`, or four, eight or sixteen of them in the lanes of a vector.
 //!
-//! [`real`] holds the vocabulary of the terms, `lanes` how pairs of particles get into the lanes and their sums out,
-//! `blocks` what a vector must be able to do for that; `x86` and `portable` are the vectors, and `level` chooses
-//! between them at run time. [`double`] is for constants only.
+//! [`real`] holds the intrinsics of the terms. `lanes` brings pairs of particles into lanes and adds up their sums, and
+//! `blocks` lists the operations that a vector needs for that. `x86` and `portable` are the vectors, and `level`
+//! selects one at run time. [`double`] is for constants only.
 //!
-//! The vector types are the crate's own: their instructions exist only where `level` has seen that the processor has
-//! them, so nobody else may make one.
+//! The vector types are private to the crate: their instructions exist only where `level` has found that the processor
+//! has them, so no other code may create one.
 //!
 //! ```compile_fail,E0603
 //! use millpond_core::arithmetic::x86::Avx;

@@ -1,5 +1,5 @@
-//! Four numbers side by side in a plain array, for processors whose vectors have no file of their own here: LLVM finds
-//! instructions for them where it can.
+//! Four numbers in a plain array, for processors without vectors of their own in this crate. LLVM uses vector
+//! instructions for it where it can.
 use super::blocks::Blocks;
 use super::codes::{FEW, Offsets, ROW_BITS, Windows, slot};
 use super::real::Real;
@@ -54,7 +54,7 @@ impl Neg for Four {
 }
 
 impl Real for Four {
-    /// All ones or all zeros a lane, so that selecting is bit logic.
+    /// All ones or all zeros per lane, so that a selection is bit logic.
     type Mask = [u32; 4];
     const LANES: usize = 4;
     #[inline(always)]

@@ -1,15 +1,16 @@
-//! What a processor can do at most: benchmarks hold the passes against it.
+//! The largest arithmetic rate of a processor, with which benchmarks compare the passes.
 use super::lanes::Lanes;
 use super::level::{Simd, Work};
 use core::hint::black_box;
 
-/// Sums that grow side by side. Each waits for itself alone, and so many keep all units of a processor busy that can start two
-/// products and two sums in a cycle, and needs six for one of each; with two constants they fit into sixteen registers.
+/// Number of independent sums. Each one waits only for itself. Twelve keep all units busy of a processor that starts
+/// two multiplications and two additions per cycle and needs six cycles for one of each; with two constants they fit
+/// into sixteen registers.
 const CHAINS: usize = 12;
 
-/// Multiplies and adds `rounds` times over in all lanes of a level, without any memory, and returns how many operations
-/// that was. A processor without the level uses its best. A compiler may work on several sums of the scalar level at once, as it may in
-/// a pass.
+/// Multiplies and adds `rounds` times in all lanes of a SIMD level, without memory accesses, and returns the number of
+/// operations. A processor without that level uses its best one. At the scalar level the compiler may work on several
+/// sums at once, as it may in a pass.
 #[must_use]
 pub fn multiply_and_add(simd: Simd, rounds: u32) -> u64 {
     let mut operations = 0;
@@ -25,7 +26,7 @@ struct Rounds<'a> {
 impl Work for Rounds<'_> {
     #[inline(always)]
     fn run<R: Lanes>(self) {
-        // numbers that the compiler does not know, and that stay as they are
+        // The compiler does not know these numbers, and the sums keep their value with them.
         let (factor, term) = (R::splat(black_box(0.5)), R::splat(black_box(0.5)));
         let mut sums = [R::splat(black_box(1.0)); CHAINS];
         for _ in 0..self.rounds {

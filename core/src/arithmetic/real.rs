@@ -1,12 +1,13 @@
-//! The vocabulary of the terms. WGSL has the same words, from its prelude or built in,
-//! with the same argument order and the same bits.
+//! The intrinsics of the terms. WGSL has the same intrinsics, from its prelude or built in, with the same order of
+//! arguments and the same bits.
 //!
-//! Every word is exactly rounded or a pure selection, so that scalar, lanes and GPU cannot differ. `larger` and
-//! `smaller` compare and select: WGSL's own `max` and `min` leave -0 and NaN open.
+//! Every intrinsic is correctly rounded or a pure selection, so that scalar code, SIMD lanes and GPU cannot differ.
+//! `larger` and `smaller` compare and select, because the built-in `max` and `min` of WGSL leave the results for -0 and
+//! NaN open.
 use crate::layout::{TABLE_ENTRIES, Tables};
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// A number of the physics: `f32`, or several of them. Literals stand on the right: `x * 2.0`.
+/// A number of the physics: one `f32`, or several in lanes. Literals stand on the right: `x * 2.0`.
 pub trait Real:
     Copy
     + Add<Output = Self>
@@ -17,104 +18,105 @@ pub trait Real:
     + Sub<f32, Output = Self>
     + Mul<f32, Output = Self>
 {
-    /// One truth value a lane.
+    /// One truth value per lane.
     type Mask: Copy;
-    /// How many numbers one value holds.
+    /// Number of lanes in a value.
     const LANES: usize;
-    /// The same number in every lane.
+    /// Returns a value with the same number in every lane.
     fn splat(x: f32) -> Self;
-    /// Lane `i` is `f(i)`.
+    /// Returns a value whose lane `i` is `f(i)`.
     fn from_lanes(f: impl FnMut(usize) -> f32) -> Self;
-    /// The number in lane `i`.
+    /// Returns the number in lane `i`.
     fn lane(self, i: usize) -> f32;
-    /// True where any lane is.
+    /// Returns whether the mask holds in any lane.
     fn any(mask: Self::Mask) -> bool;
-    /// Correctly rounded quotient.
+    /// Returns the correctly rounded quotient.
     fn div(self, y: Self) -> Self;
-    /// Correctly rounded square root.
+    /// Returns the correctly rounded square root.
     fn root(self) -> Self;
-    /// Magnitude.
+    /// Returns the magnitude.
     fn abs(self) -> Self;
-    /// The largest whole number that is not larger.
+    /// Returns the largest integer that is not greater than the number.
     fn floor(self) -> Self;
-    /// `self < y`; false for NaN.
+    /// Returns `self < y`; false for NaN.
     fn less(self, y: Self) -> Self::Mask;
-    /// `yes` where the mask holds, else `no`.
+    /// Returns `yes` where the mask holds, else `no`.
     fn select(no: Self, yes: Self, mask: Self::Mask) -> Self;
-    /// The larger of two; `self` where they compare equal or not at all.
+    /// Returns the larger of two numbers; `self` where they are equal or one is NaN.
     #[inline(always)]
     fn larger(self, y: Self) -> Self {
         Self::select(self, y, self.less(y))
     }
-    /// The smaller of two; `self` where they compare equal or not at all.
+    /// Returns the smaller of two numbers; `self` where they are equal or one is NaN.
     #[inline(always)]
     fn smaller(self, y: Self) -> Self {
         Self::select(self, y, y.less(self))
     }
 }
 
-/// A literal, or a constant of the scene, as a number.
+/// Converts a literal, or a constant of the scene, to a number of the physics.
 #[inline(always)]
 pub fn real<R: Real>(x: f32) -> R {
     R::splat(x)
 }
 
-/// Correctly rounded quotient `x / y`.
+/// Returns the correctly rounded quotient `x / y`.
 #[inline(always)]
 pub fn div<R: Real>(x: R, y: R) -> R {
     x.div(y)
 }
 
-/// Correctly rounded square root.
+/// Returns the correctly rounded square root.
 #[inline(always)]
 pub fn root<R: Real>(x: R) -> R {
     x.root()
 }
 
-/// Magnitude.
+/// Returns the magnitude.
 #[inline(always)]
 pub fn abs<R: Real>(x: R) -> R {
     x.abs()
 }
 
-/// The largest whole number that is not larger. Devices disagree about the sign of a zero: no term may let it through.
+/// Returns the largest integer that is not greater than `x`. Devices differ in the sign of a zero result, so no term
+/// may pass it on.
 #[inline(always)]
 pub fn floor<R: Real>(x: R) -> R {
     x.floor()
 }
 
-/// An entry of one of the tables, its index being a whole number; 0 where there is none.
+/// Returns an entry of one of the tables; 0 where there is no such entry. `entry` is an integer.
 #[inline(always)]
 pub fn lookup<R: Real>(tables: &Tables, table: u32, entry: R) -> R {
     let first = table as usize * TABLE_ENTRIES;
     R::from_lanes(|lane| tables.get(first + entry.lane(lane) as usize).copied().unwrap_or(0.0))
 }
 
-/// `x < y`; false for NaN.
+/// Returns `x < y`; false for NaN.
 #[inline(always)]
 pub fn less<R: Real>(x: R, y: R) -> R::Mask {
     x.less(y)
 }
 
-/// `yes` where the mask holds, else `no` (WGSL's argument order).
+/// Returns `yes` where the mask holds, else `no` (the argument order of WGSL).
 #[inline(always)]
 pub fn select<R: Real>(no: R, yes: R, mask: R::Mask) -> R {
     R::select(no, yes, mask)
 }
 
-/// The larger of two; `x` where they compare equal or not at all.
+/// Returns the larger of two numbers; `x` where they are equal or one is NaN.
 #[inline(always)]
 pub fn larger<R: Real>(x: R, y: R) -> R {
     x.larger(y)
 }
 
-/// The smaller of two; `x` where they compare equal or not at all.
+/// Returns the smaller of two numbers; `x` where they are equal or one is NaN.
 #[inline(always)]
 pub fn smaller<R: Real>(x: R, y: R) -> R {
     x.smaller(y)
 }
 
-/// Denormals and -0 become +0: some devices flush them, so what is stored never holds one.
+/// Replaces denormals and -0 by +0. Some devices flush denormals, so stored numbers are never denormal and never -0.
 #[inline(always)]
 pub fn flush<R: Real>(x: R) -> R {
     select(x, real(0.0), less(abs(x), real(f32::MIN_POSITIVE)))
@@ -124,22 +126,22 @@ pub fn flush<R: Real>(x: R) -> R {
 #[derive(Clone, Copy, Debug)]
 #[expect(non_camel_case_types, reason = "the terms are WGSL too, where the type has this name")]
 pub struct vec3<R> {
-    /// Along x.
+    /// Component along x.
     pub x: R,
-    /// Along y.
+    /// Component along y.
     pub y: R,
-    /// Along z.
+    /// Component along z.
     pub z: R,
 }
 
-/// A vector of its components.
+/// Returns a vector from its components.
 #[inline(always)]
 pub fn vec3<R>(x: R, y: R, z: R) -> vec3<R> {
     vec3 { x, y, z }
 }
 
 impl<R: Real> vec3<R> {
-    /// The first three of four stored numbers, the same in every lane.
+    /// Returns the first three of four stored numbers, the same in every lane.
     #[inline(always)]
     pub fn splat(a: [f32; 4]) -> Self {
         vec3(real(a[0]), real(a[1]), real(a[2]))

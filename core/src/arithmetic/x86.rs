@@ -1,8 +1,8 @@
-//! Numbers side by side in the vector registers of x86-64: four in one of SSE's, which every such processor has, eight
-//! in one of AVX's, sixteen in one of AVX-512's.
+//! Numbers in the vector registers of x86-64: four in an SSE register, which every such processor has, eight in an AVX
+//! register, and sixteen in an AVX-512 register.
 //!
-//! Written in intrinsics: a compiler that is left to find vectors in arrays takes ten times as long, and does not
-//! always find them.
+//! The vectors are written with intrinsics. A compiler that has to find vector code for arrays takes ten times as long,
+//! and does not always find it.
 #![expect(clippy::undocumented_unsafe_blocks, reason = "what makes all of them sound is said once, at the macro")]
 #![expect(unsafe_code, reason = "vector instructions are only to be had as intrinsics")]
 use super::blocks::Blocks;
@@ -15,13 +15,15 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 /// Declares a vector: its register, lanes and masks, and the instruction of each operation.
 ///
-/// SAFETY of all that it expands to: the intrinsics need nothing but the processor's instructions, and of memory as
-/// many bytes as the slices were seen to have, or as arrays have by their types (`codes` asserts that these are enough). SSE2 is part of every x86-64; vectors of AVX and AVX-512 are made only
-/// inside of what `level::run_avx2` and `level::run_avx512` run, where the processor was seen to have it.
+/// SAFETY of all code that this macro expands to: the intrinsics need the instructions of the processor, and valid
+/// memory. SSE2 is part of every x86-64. Vectors of AVX and AVX-512 are made only inside the work that
+/// `level::run_avx2` and `level::run_avx512` run, where the processor is known to have the instructions. In memory the
+/// intrinsics access no more bytes than the slices were checked to have, or than arrays have by their types; `codes`
+/// asserts that these are enough.
 macro_rules! vector {
     ($(#[$doc:meta])* $name:ident: $register:ty, $lanes:literal lanes, masks: $mask:ty, by $by:ident,
-        $set:ident $add:ident $sub:ident $mul:ident $div:ident $max:ident $min:ident $root:ident $xor:ident $and_not:ident
-        $low:ident $high:ident $shuffle:ident $load:ident $store:ident,
+        $set:ident $add:ident $sub:ident $mul:ident $div:ident $max:ident $min:ident $root:ident $xor:ident
+        $and_not:ident $low:ident $high:ident $shuffle:ident $load:ident $store:ident,
         less: $less:expr, select: $select:expr) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug)]
@@ -90,7 +92,7 @@ macro_rules! vector {
             fn select(no: Self, yes: Self, mask: $mask) -> Self {
                 $name(unsafe { $select(no.0, yes.0, mask) })
             }
-            // these instructions give their second operand where the two compare equal or not at all
+            // These instructions return their second operand where the two are equal or one is NaN.
             #[inline(always)]
             fn larger(self, y: Self) -> Self {
                 $name(unsafe { $max(y.0, self.0) })
@@ -184,17 +186,17 @@ macro_rules! vector {
     };
 }
 
-/// A row in a register of SSE.
+/// Loads a row into an SSE register.
 #[inline(always)]
 unsafe fn row(row: &f32x4) -> __m128 {
     unsafe { _mm_loadu_ps(row.as_ptr()) }
 }
 
-/// SSE2, one block.
+/// SSE2: one block of four lanes.
 mod sse {
     use super::*;
 
-    /// SSE's blend, which it lacks.
+    /// Selects by a mask. SSE2 has no blend instruction.
     #[inline(always)]
     pub(super) unsafe fn blend(no: __m128, yes: __m128, mask: __m128) -> __m128 {
         unsafe { _mm_or_ps(_mm_andnot_ps(mask, no), _mm_and_ps(mask, yes)) }
@@ -226,7 +228,7 @@ mod sse {
         all
     }
 
-    /// One by one: SSE2 cannot move lanes by a mask.
+    /// Appends the lanes one by one, since SSE2 cannot move lanes by a mask.
     #[inline(always)]
     pub(super) unsafe fn compress(
         to: &mut [u32],
@@ -253,18 +255,18 @@ mod sse {
     }
 }
 
-/// AVX2, two blocks.
+/// AVX2: two blocks of four lanes.
 mod avx {
     use super::*;
 
-    /// In three instructions rather than one that blends: most choices are between a number and zero, and of these the compiler leaves
-    /// one.
+    /// Selects with three instructions instead of one blend: most selections are between a number and zero, for which
+    /// the compiler needs only one of the three.
     #[inline(always)]
     pub(super) unsafe fn select(no: __m256, yes: __m256, mask: __m256) -> __m256 {
         unsafe { _mm256_or_ps(_mm256_andnot_ps(mask, no), _mm256_and_ps(mask, yes)) }
     }
 
-    /// For each mask the lanes where it holds, in front, a byte each.
+    /// For each mask, the indices of the lanes in which it holds, moved to the front, one byte per index.
     static FRONT: [u64; 256] = {
         let mut table = [0; 256];
         let mut mask = 0;
@@ -307,7 +309,7 @@ mod avx {
             let slots = _mm256_add_epi32(first, within);
             let offset = _mm256_slli_epi32::<{ ROW_BITS as i32 }>(slots);
             _mm256_storeu_si256(offsets.0.as_mut_ptr().cast(), offset);
-            // AVX2 compares signed numbers only, but takes the smaller of unsigned ones
+            // AVX2 only compares signed integers, but it has a minimum of unsigned ones.
             let last = _mm256_set1_epi32(limit.wrapping_sub(1) as i32);
             let is_below = _mm256_cmpeq_epi32(_mm256_min_epu32(slots, last), slots);
             limit > 0 && _mm256_movemask_epi8(is_below) == -1
@@ -344,7 +346,7 @@ mod avx {
     }
 }
 
-/// AVX-512, four blocks.
+/// AVX-512: four blocks of four lanes.
 mod avx512 {
     use super::*;
 
@@ -416,7 +418,7 @@ mod avx512 {
 }
 
 vector! {
-    /// Four numbers in a register of SSE.
+    /// Four numbers in an SSE register.
     Sse: __m128, 4 lanes, masks: __m128, by sse,
     _mm_set1_ps _mm_add_ps _mm_sub_ps _mm_mul_ps _mm_div_ps _mm_max_ps _mm_min_ps _mm_sqrt_ps _mm_xor_ps _mm_andnot_ps
     _mm_unpacklo_ps _mm_unpackhi_ps _mm_shuffle_ps _mm_loadu_ps _mm_storeu_ps,
@@ -424,17 +426,19 @@ vector! {
 }
 
 vector! {
-    /// Eight numbers in a register of AVX.
+    /// Eight numbers in an AVX register.
     Avx: __m256, 8 lanes, masks: __m256, by avx,
-    _mm256_set1_ps _mm256_add_ps _mm256_sub_ps _mm256_mul_ps _mm256_div_ps _mm256_max_ps _mm256_min_ps _mm256_sqrt_ps _mm256_xor_ps _mm256_andnot_ps
+    _mm256_set1_ps _mm256_add_ps _mm256_sub_ps _mm256_mul_ps _mm256_div_ps _mm256_max_ps _mm256_min_ps _mm256_sqrt_ps
+    _mm256_xor_ps _mm256_andnot_ps
     _mm256_unpacklo_ps _mm256_unpackhi_ps _mm256_shuffle_ps _mm256_loadu_ps _mm256_storeu_ps,
     less: _mm256_cmp_ps::<_CMP_LT_OQ>, select: avx::select
 }
 
 vector! {
-    /// Sixteen numbers in a register of AVX-512.
+    /// Sixteen numbers in an AVX-512 register.
     Avx512: __m512, 16 lanes, masks: __mmask16, by avx512,
-    _mm512_set1_ps _mm512_add_ps _mm512_sub_ps _mm512_mul_ps _mm512_div_ps _mm512_max_ps _mm512_min_ps _mm512_sqrt_ps _mm512_xor_ps _mm512_andnot_ps
+    _mm512_set1_ps _mm512_add_ps _mm512_sub_ps _mm512_mul_ps _mm512_div_ps _mm512_max_ps _mm512_min_ps _mm512_sqrt_ps
+    _mm512_xor_ps _mm512_andnot_ps
     _mm512_unpacklo_ps _mm512_unpackhi_ps _mm512_shuffle_ps _mm512_loadu_ps _mm512_storeu_ps,
     less: _mm512_cmp_ps_mask::<_CMP_LT_OQ>, select: avx512::select
 }

@@ -1,4 +1,4 @@
-//! The springs of elastic fluids, made once, at the start (Pirovano, section 2.2.6): who is joined to whom.
+//! Springs of elastic fluids: which particles they join. They are made once, at the start (Pirovano, section 2.2.6).
 use super::derived::Derived;
 use crate::arithmetic::real::{root, vec3};
 use crate::error::SceneError;
@@ -7,18 +7,18 @@ use crate::scene::Scene;
 use crate::terms::geometry::length2;
 use crate::terms::pair::separation;
 
-/// A little more than what a scene says, so that rounding does not tell one lattice neighbour from the next.
+/// Factor on the reach given by the scene, so that rounding does not separate lattice neighbours at the same distance.
 const REACH_MARGIN: f64 = 1.0 + 1e-5;
 
-/// Which particles springs join, and what an end of one pulls with.
+/// Decides which particles are joined by springs, and how strongly a spring pulls at its ends.
 pub(crate) struct Bonds<'a> {
     derived: &'a Derived,
     model: Model,
-    /// Largest distance of two that are joined, m.
+    /// Largest distance of two joined particles, m.
     reach: f64,
 }
 
-/// A particle that may be joined: its position, the constants of its material (`Materials::species`).
+/// A particle that may be joined: its position, and the constants of its material (`Materials::properties`).
 pub(crate) type End = (f32x4, f32x4);
 
 impl Bonds<'_> {
@@ -27,17 +27,17 @@ impl Bonds<'_> {
         Bonds { derived, model, reach }
     }
 
-    /// What the ends of a particle pull with for each metre, over its mass, 1/s2.
+    /// Acceleration per metre of elongation that a spring causes at this particle, `k / (2 m)`, 1/s2.
     pub(crate) fn pull(&self, (position, material): End) -> f32 {
         (self.at_rest(material) / f64::from(position[3])) as f32
     }
 
-    /// The same of a particle of its fluid at rest; 0 of a wall's, and of air that is not there.
+    /// The same for a particle of the fluid at rest mass; 0 for wall particles and inactive air particles.
     fn at_rest(&self, [_, wall, _, fluid]: f32x4) -> f64 {
         if wall > 0.0 { 0.0 } else { self.derived.fluid(fluid as u32).spring_pull }
     }
 
-    /// Distance of two particles that are to be joined, m; `None` where they are not.
+    /// Rest length of a spring between two particles, m; `None` if they are not to be joined.
     pub(crate) fn length(&self, p: &Parameters, (x_a, a): End, (x_b, b): End) -> Option<f32> {
         let one_fluid = a[3] == b[3] && a[1] == 0.0 && b[1] == 0.0;
         let is_elastic = self.at_rest(a) as f32 > 0.0;
@@ -50,16 +50,17 @@ impl Bonds<'_> {
     }
 }
 
-/// Calls what it is given with the ids of two particles that are to be joined, and their distance, in both directions.
+/// Calls the given function with the ids of two particles that are to be joined and their distance, for each such pair
+/// and in both directions.
 type EachBond<'a> = &'a mut dyn FnMut(&mut dyn FnMut(u32, u32, f32));
 
-/// Writes the ends of all springs, and where those of each particle begin and how many they are. The ends of a particle stand in
-/// the order of the ids at the other ends, so that no grid changes a sum.
+/// Writes the ends of all springs, and for each particle the index of its first end and the number of its ends. The
+/// ends of a particle are sorted by the ids at the other ends, so that sums do not depend on the grid.
 ///
 /// # Errors
-/// More springs than there is room for.
+/// [`SceneError::CapacityExceeded`] if there are more springs than there is room for.
 pub(crate) fn join(of: &mut [u32x4], ends: &mut [u32x2], each_bond: EachBond<'_>) -> Result<(), SceneError> {
-    // how many ends each has, then where they begin, then who is there
+    // first the number of ends of each particle, then their first index, then the ends themselves
     each_bond(&mut |a, _, _| of[a as usize][1] += 1);
     let mut needed = 0usize;
     for [first, count, ..] in of.iter_mut() {

@@ -1,25 +1,26 @@
-//! How many of each a scene has: particles, nodes of its field, ends of springs. Counted so that no scene overflows them.
+//! Counts of a scene: particles, nodes of its acceleration field, spring ends. They are computed so that no scene makes
+//! them overflow.
 use super::lattice_sums::MOST_SPACINGS;
 use super::sampling::lattice::{counts, volume};
 use super::sampling::walls::{wall_count, wall_layers};
 use super::scales::Scales;
 use crate::scene::{AccelerationField, Block, Dimension, Scene};
 
-/// Particles of a scene.
+/// Number of particles in a scene.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Counts {
-    /// Of its fluids.
+    /// Fluid particles.
     pub(crate) fluid: u64,
-    /// Of its walls.
+    /// Wall particles.
     pub(crate) walls: u64,
-    /// That the coat of air can have.
+    /// Largest number of particles in the air layer.
     pub(crate) air: u64,
-    /// Layers of a wall.
+    /// Layers of particles in a wall.
     pub(crate) wall_layers: u32,
 }
 
 impl Counts {
-    /// Of any scene.
+    /// Counts the particles of any scene, checked or not.
     pub(crate) fn of(scene: &Scene, scales: &Scales) -> Counts {
         let wall_layers = wall_layers(scene, scales);
         let add = |all: u64, more: u64| all.saturating_add(more);
@@ -31,20 +32,20 @@ impl Counts {
         }
     }
 
-    /// In all.
+    /// Number of all particles.
     pub(crate) fn all(&self) -> u64 {
         self.fluid.saturating_add(self.walls).saturating_add(self.air)
     }
 }
 
-/// Nodes of the host's field along x, y, z, and in all.
+/// Nodes of the acceleration field supplied by the caller along x, y, z, and in total.
 pub(crate) fn field_counts(scene: &Scene) -> [u32; 4] {
     let Some(AccelerationField { counts: [x, y, z], .. }) = scene.acceleration_field else { return [0; 4] };
     let z = if scene.dimension == Dimension::Two { 1 } else { z };
     [x, y, z, x.saturating_mul(y).saturating_mul(z)]
 }
 
-/// Ends of springs that there is room for, two a spring.
+/// Number of spring ends that there is room for, two per spring.
 pub(crate) fn spring_ends(scene: &Scene, scales: &Scales) -> usize {
     if let Some(capacity) = scene.elasticity.capacity {
         return (capacity as usize).saturating_mul(2);
@@ -57,10 +58,10 @@ pub(crate) fn spring_ends(scene: &Scene, scales: &Scales) -> usize {
     particles.saturating_mul(springs_of_particle(scene, scales, jitter).min(particles.saturating_sub(1)))
 }
 
-/// Particles of a lattice, shaken by so much, that a particle inside of it can be joined to.
+/// Number of particles to which a particle inside a lattice with this jitter can be joined.
 pub(crate) fn springs_of_particle(scene: &Scene, scales: &Scales, jitter: f32) -> usize {
     let d = scene.dimension.count();
-    // each of two particles may come nearer along each axis by half of the jitter
+    // each of two particles may move by half of the jitter towards the other along each axis
     let shaken = f64::from(jitter) * libm::sqrt(d as f64);
     let reach = f64::from(scene.elasticity.reach).min(scales.spacings(scene)) + shaken;
     let far = reach.min(MOST_SPACINGS) as i64;
@@ -68,6 +69,6 @@ pub(crate) fn springs_of_particle(scene: &Scene, scales: &Scales, jitter: f32) -
     let within = |x: i64, y: i64, z: i64| (x * x + y * y + z * z) as f64 <= reach * reach * (1.0 + 1e-6);
     let lines = (-layers..=layers).flat_map(|z| (-far..=far).map(move |y| (y, z)));
     let all = lines.map(|(y, z)| (-far..=far).filter(|&x| within(x, y, z)).count()).sum::<usize>();
-    // but for itself
+    // without the particle itself
     all.saturating_sub(1)
 }

@@ -1,4 +1,4 @@
-//! All that follows from a scene, in one place.
+//! All quantities derived from a scene.
 use super::counts::{Counts, field_counts, spring_ends, springs_of_particle};
 use super::fluid::FluidConstants;
 use super::materials::materials;
@@ -9,7 +9,7 @@ use crate::layout::{Materials, Parameters, StepUniform};
 use crate::scene::{FLUIDS, Scene};
 use heapless::Vec;
 
-/// What follows from a scene, computed once when it is checked: [`Checked::derived`](crate::Checked::derived).
+/// Quantities derived from a scene, computed once when it is checked: [`Checked::derived`](crate::Checked::derived).
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Derived {
@@ -17,38 +17,39 @@ pub struct Derived {
     pub support_radius: f64,
     /// Particles inside the support radius ([`average_neighbours`](super::average_neighbours)).
     pub average_neighbours: f32,
-    /// Cells along x, y, z; in 2D one along z.
+    /// Cells along x, y, z; in 2D there is one along z.
     pub cells: [u32; 3],
     /// Mass of a particle of the first fluid at rest, kg (per metre of depth in 2D).
     pub particle_mass: f64,
-    /// Constants of the fluids, by number; at least one.
+    /// Constants of the fluids, by index; at least one.
     pub fluids: Vec<FluidConstants, FLUIDS>,
     /// Largest kinematic viscosity, m2/s.
     pub kinematic_viscosity: f64,
-    /// Particles of the fluids: their ids come first.
+    /// Number of fluid particles, whose ids come first.
     pub fluid_particles: usize,
-    /// Particles of the walls: their ids come next.
+    /// Number of wall particles, whose ids come next.
     pub wall_particles: usize,
-    /// Particles that the coat of air can have: their ids come last.
+    /// Largest number of particles in the air layer, whose ids come last.
     pub air_particles: usize,
-    /// Layers of a wall: Hinsch's two with mirrored pressure, Pirovano's three as quasi-fluid; more where the support reaches further.
+    /// Layers of particles in a wall: two with mirrored pressure (Hinsch 2024, section 6.3), three as dynamic boundary
+    /// particles (Pirovano, section 3.5.3); more if the support radius reaches further.
     pub wall_layers: u32,
-    /// Ends of springs that there is room for, two a spring; 0 where no fluid is elastic and no capacity is named.
+    /// Number of spring ends that there is room for, two per spring; 0 if no fluid is elastic and no capacity is set.
     pub spring_ends: usize,
-    /// Springs at a particle inside of an elastic lattice.
+    /// Number of springs at a particle inside an elastic lattice.
     pub springs_of_particle: usize,
-    /// Nodes of the host's field along x, y, z, and in all; 0 where the scene has none.
+    /// Nodes of the acceleration field supplied by the caller along x, y, z, and in total; 0 if there is no such field.
     pub field_counts: [u32; 4],
     /// The constants that every pass reads, rounded once.
     pub parameters: Parameters,
-    /// Those of each material.
+    /// The constants of each material.
     pub materials: Materials,
     /// The numbers of the first step.
     pub step: StepUniform,
 }
 
 impl Derived {
-    /// Of a scene whose numbers and counts are within their bounds.
+    /// Derives the quantities of a scene whose numbers and counts are within their bounds.
     pub(crate) fn of(scene: &Scene, scales: &Scales, counts: &Counts, cells: [u32; 3]) -> Derived {
         let particle_mass = particle_mass(scene, scales);
         let fluids = FluidConstants::of_all(scene, particle_mass);
@@ -73,13 +74,13 @@ impl Derived {
         }
     }
 
-    /// Particles in all: of fluids, of walls, and air that is not there yet.
+    /// Number of all particles: of fluids, of walls, and of air, which is inactive at the start.
     #[must_use]
     pub fn particles(&self) -> usize {
         self.fluid_particles + self.wall_particles + self.air_particles
     }
 
-    /// Constants of a fluid by number; of the first where there is none of that number.
+    /// Constants of a fluid by index; those of the first fluid if there is none with this index.
     #[must_use]
     pub fn fluid(&self, number: u32) -> &FluidConstants {
         self.fluids.get(number as usize).unwrap_or(&self.fluids[0])

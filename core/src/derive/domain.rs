@@ -1,16 +1,16 @@
-//! The cells of a scene, and what each axis has of its own.
+//! The cells of a scene, and the constants of each axis.
 use super::scales::Scales;
 use crate::layout::f32x4;
 use crate::scene::{Dimension, Scene};
 
-/// Cells along x, y, z: those of `grid`, along a periodic axis as many as fit, and in 2D one along z.
+/// Cells along x, y, z: those of `grid`; along a periodic axis as many as fit; in 2D one along z.
 pub(crate) fn cells(scene: &Scene, scales: &Scales) -> [u32; 3] {
     let mut cells = scene.grid.cells;
     for axis in scene.periodic_axes() {
         if let Some(periodic) = &scene.periodic {
             let length = f64::from(periodic.high[axis]) - f64::from(periodic.low[axis]);
             let fitting = length / scales.least_cell;
-            // more than any grid can have is refused by whoever multiplies them
+            // a number of cells that is too large is rejected later, where the three numbers are multiplied
             cells[axis] = fitting.min(f64::from(u32::MAX)) as u32;
         }
     }
@@ -20,7 +20,7 @@ pub(crate) fn cells(scene: &Scene, scales: &Scales) -> [u32; 3] {
     cells
 }
 
-/// What each axis has of its own.
+/// The constants of each axis.
 pub(super) struct Axes {
     pub(super) cells: [u32; 4],
     pub(super) inverse_cell: f32x4,
@@ -32,7 +32,7 @@ pub(super) struct Axes {
 
 impl Axes {
     pub(super) fn of(scene: &Scene, scales: &Scales, [x, y, z]: [u32; 3]) -> Axes {
-        // particles that are not there lie in a cell of their own, the last, which no stencil reaches
+        // inactive particles lie in an additional cell, the last one, which no stencil reaches
         let limbo = u32::from(scene.air.is_some());
         let inverse = (1.0 / scales.least_cell) as f32;
         let mut axes = Axes {

@@ -1,26 +1,27 @@
-//! What follows for each fluid from what is asked of it: its sound, its stiffnesses, what its springs pull with.
+//! Quantities derived for each fluid: speed of sound, stiffnesses, and the pull of its springs.
 use super::scales::speed_of_sound;
 use crate::scene::{EquationOfState, FLUIDS, Fluid, NearPressure, Scene};
 use heapless::Vec;
 
-/// Near stiffness over c0^2 where a scene does not name it. Our choice: see the errata of Pirovano, section 3.1.
+/// Default of the near stiffness over c0^2. Our choice: larger values, near c0^2, make the fluid expand like a gas
+/// (Pirovano, section 3.1, corrected).
 const DEFAULT_NEAR_SHARE: f64 = 0.1;
 
 /// The constants of a fluid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct FluidConstants {
-    /// How its pressure follows from its density: its own equation, or the model's.
+    /// Equation of state: the fluid's own, or that of the model.
     pub equation_of_state: EquationOfState,
     /// Speed of sound at rest, m/s.
     pub speed_of_sound: f64,
     /// `rho0 c0^2`, Pa.
     pub bulk_modulus: f64,
-    /// Constant of its equation of state, Pa.
+    /// Constant of the equation of state, Pa.
     pub state_stiffness: f64,
-    /// Near pressure over density, m2/s2; 0 where near pressure is off.
+    /// Near pressure over density, m2/s2; 0 if near pressure is off.
     pub near_stiffness: f64,
-    /// Half of the stiffness of its springs over the mass of its particles at rest, `k / (2 m)`, 1/s2.
+    /// Half of the spring stiffness over the mass of the fluid's particles at rest, `k / (2 m)`, 1/s2.
     pub spring_pull: f64,
 }
 
@@ -47,7 +48,7 @@ impl FluidConstants {
         }
     }
 
-    /// Of all fluids of a scene, by number; never empty.
+    /// The constants of all fluids of a scene, by index; never empty.
     pub(crate) fn of_all(scene: &Scene, particle_mass: f64) -> Vec<FluidConstants, FLUIDS> {
         scene.fluids.iter().map(|fluid| FluidConstants::of(scene, particle_mass, fluid)).collect()
     }

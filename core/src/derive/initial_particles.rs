@@ -1,5 +1,5 @@
-//! The particles of a scene at its start: cell centres of a lattice, block after block, then wall after wall, x fastest; last
-//! the air that is not there.
+//! The particles of a scene at its start: cell centres of a lattice, block after block, then wall after wall, x
+//! fastest; last the inactive air particles.
 use super::derived::Derived;
 use super::hydrostatic::hydrostatic_deviation;
 use super::material::{FIRST_BLOCK, INACTIVE};
@@ -8,10 +8,9 @@ use super::sampling::walls::wall_particles;
 use crate::scene::{Dimension, InitialParticle, Scene};
 use glam::Vec3;
 
-/// Every particle of a scene and of what was derived of it, in order of its id: the fluid, then the walls, then air that is not
-/// there yet.
+/// All particles of a scene in order of their ids: fluids, walls, then the inactive air particles.
 pub(crate) fn initial_particles(scene: &Scene, derived: &Derived) -> impl Iterator<Item = InitialParticle> {
-    // a linear congruential generator (Numerical Recipes): any fixed sequence will do
+    // a linear congruential generator (Numerical Recipes): any fixed sequence would do
     let mut seed = 1u32;
     let mut random = move || {
         seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -40,7 +39,7 @@ pub(crate) fn initial_particles(scene: &Scene, derived: &Derived) -> impl Iterat
     fluid.chain(wall_particles(scene, derived.wall_layers)).chain(air(scene))
 }
 
-/// Air that is not there: it takes no part in anything, so it may lie anywhere.
+/// Inactive air particles. They take no part in any sum, so their position does not matter.
 fn air(scene: &Scene) -> impl Iterator<Item = InitialParticle> {
     let mut corner = scene.blocks.first().map_or(Vec3::ZERO, |block| block.corner);
     if scene.dimension == Dimension::Two {

@@ -1,8 +1,8 @@
-//! Constants of the kernels: what makes each integrate to one. They follow from the terms by quadrature, so that a kernel is
-//! written once.
+//! Normalisation constants of the kernels, which make each kernel integrate to one. They are computed from the terms by
+//! quadrature, so that each kernel is written only once.
 //!
-//! A kernel is `W(r) = c / H^d w(q)`, q = r / H, H the support radius. So the gradient is `-c / H^(d+1) slope(q) x_ab / r`, and
-//! a Laplacian carries `1 / H^(d+2)`.
+//! A kernel is `W(r) = c / H^d w(q)`, with q = r / H and H the support radius. Its gradient is
+//! `-c / H^(d+1) slope(q) x_ab / r`, and its Laplacian has the factor `1 / H^(d+2)`.
 use crate::arithmetic::double::Double;
 use crate::layout::Model;
 use crate::scene::Kernel;
@@ -10,35 +10,35 @@ use crate::terms::kernel::{VISCOSITY, kernel_laplacian, kernel_slope, kernel_w};
 use bytemuck::Zeroable;
 use core::f64::consts::PI;
 
-/// What a kernel needs of a model: the dimension, 2 or 3. (In 1D those that depend on it are not defined.)
+/// A model with what kernels need of it: the dimension, 2 or 3. (In 1D the functions that depend on it are undefined.)
 fn of_dimension(d: usize) -> Model {
     Model { is_3d: u32::from(d == 3), ..Model::zeroed() }
 }
 
-/// `x^n` by multiplication: the last bit of a library's `pow` is its own affair.
+/// `x^n` by multiplication: the last bit of a library's `pow` may differ between platforms.
 pub(super) fn power(x: f64, n: usize) -> f64 {
     core::iter::repeat_n(x, n).product()
 }
 
-/// w(q), without the constant.
+/// w(q), without the normalisation constant.
 #[must_use]
 pub fn value(kernel: Kernel, q: f64) -> f64 {
     kernel_w(kernel as u32, Double(q * q)).0
 }
 
-/// `-dw/dq`, without the constant, in `d` dimensions.
+/// `-dw/dq` in `d` dimensions, without the normalisation constant.
 #[must_use]
 pub fn slope(kernel: Kernel, d: usize, q: f64) -> f64 {
     kernel_slope(&of_dimension(d), kernel as u32, Double(q)).0
 }
 
-/// The Laplacian over H^2, without the constant, in `d` = 2 or 3 dimensions.
+/// The Laplacian of w with respect to q in `d` = 2 or 3 dimensions, without the normalisation constant.
 #[must_use]
 pub fn laplacian(kernel: Kernel, d: usize, q: f64) -> f64 {
     kernel_laplacian(&of_dimension(d), kernel as u32, Double(q)).0
 }
 
-/// Surface of the unit sphere in `d` dimensions.
+/// Surface area of the unit sphere in `d` dimensions.
 fn sphere(d: usize) -> f64 {
     match d {
         1 => 2.0,
@@ -48,13 +48,13 @@ fn sphere(d: usize) -> f64 {
 }
 
 impl Kernel {
-    /// Is it finite at no distance?
+    /// Returns whether the kernel is finite at distance zero.
     #[must_use]
     pub fn has_value(self) -> bool {
         self as u32 != VISCOSITY
     }
 
-    /// Does it have an edge at no distance, where its slope does not vanish?
+    /// Returns whether the kernel has a cusp at distance zero, where its slope does not vanish.
     #[must_use]
     pub fn is_cusped(self) -> bool {
         slope(self, 3, 1e-9) > 1e-3
@@ -66,15 +66,15 @@ impl Kernel {
         let whole = if self.has_value() {
             integral(&|q| value(self, q) * power(q, d - 1))
         } else {
-            // by parts, since the value is infinite and in 2D a logarithm: its slope is neither
+            // by parts, since the value is infinite at distance zero, and a logarithm in 2D; the slope is neither
             integral(&|q| slope(self, d, q) * power(q, d)) / d as f64
         };
         1.0 / (sphere(d) * whole)
     }
 }
 
-/// Integral from 0 to 1 by Gauss-Legendre rules of 8 points on 8 parts, exact for polynomials of degree 15 with edges at
-/// multiples of 1/8.
+/// Integral from 0 to 1 by Gauss-Legendre quadrature with 8 points on each of 8 parts. It is exact for piecewise
+/// polynomials of degree 15 with breaks at multiples of 1/8.
 #[must_use]
 pub fn integral(f: &dyn Fn(f64) -> f64) -> f64 {
     const PARTS: usize = 8;
@@ -92,7 +92,8 @@ pub fn integral(f: &dyn Fn(f64) -> f64) -> f64 {
     (0..PARTS).map(part).sum()
 }
 
-/// Constant of the thesis' near slope `(1 - q)^3`: Spiky's, whose slope is `3 (1 - q)^2` (Pirovano, section 3.1, corrected).
+/// Constant of the slope `(1 - q)^3` of the density-proportional near pressure. It is the constant of Spiky's slope,
+/// `3 (1 - q)^2` (Pirovano, section 3.1, corrected).
 #[must_use]
 pub fn near_slope_constant(d: usize) -> f64 {
     3.0 * Kernel::Spiky.normalisation(d)

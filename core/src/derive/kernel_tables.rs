@@ -1,4 +1,4 @@
-//! Filling the tables of kernels (Pirovano, section 4.2.3), from the terms themselves.
+//! Fills the tables of kernels (Pirovano, section 4.2.3) from the terms themselves.
 use crate::arithmetic::double::Double;
 use crate::layout::{Model, TABLE_ENTRIES, Tables};
 use crate::scene::{Evaluation, Formulation, Viscosity};
@@ -6,12 +6,12 @@ use crate::terms::kernel::{kernel_curvature, kernel_laplacian, kernel_slope, ker
 use crate::terms::table::{DENSITY_TABLE, PRESSURE_TABLE, VISCOSITY_TABLE};
 use bytemuck::Zeroable;
 
-/// Fills what is there of `tables`, for `d` dimensions.
+/// Fills `tables`, which may be empty, for `d` dimensions.
 pub(crate) fn fill_tables(choice: &Formulation, d: usize, tables: &mut Tables) {
     let m = Model { is_3d: u32::from(d == 3), ..Model::zeroed() };
     let squared = choice.evaluation == Evaluation::SquaredTable;
     let of_viscosity = |q: Double| match choice.viscosity {
-        // at no distance: the limit of the smooth ones, where w' / q is w''
+        // at distance zero: the limit for smooth kernels, where w' / q tends to w''
         Viscosity::Mueller if q.0 == 0.0 && !choice.viscosity_kernel.is_cusped() => {
             kernel_curvature(choice.viscosity_kernel as u32, q) * d as f32
         }

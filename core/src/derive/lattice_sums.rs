@@ -1,18 +1,19 @@
-//! Sums over the lattice that particles start on: what a density sum gives there, and how stiffly the lattice answers.
+//! Sums over the lattice on which particles start: the value of a density sum there, and the sum of squared kernel
+//! gradients that pressure correction needs.
 use super::kernel_constants::{power, slope, value};
 use crate::scene::{Dimension, Scene};
 
-/// Most spacings that a support may span where a scene needs these sums; [`Scene::check`] refuses more.
+/// Largest support radius, in particle spacings, in scenes that need these sums; [`Scene::check`] rejects larger ones.
 pub(crate) const MOST_SPACINGS: f64 = 32.0;
 
-/// `sum spacing^d W` over the lattice: 1, but for what the kernel and the lattice make of it.
+/// `sum spacing^d W` over the lattice: 1, apart from the discretisation error of the kernel on the lattice.
 pub(crate) fn kernel_sum(scene: &Scene, support: f64) -> f64 {
     let (d, kernel) = (scene.dimension.count(), scene.model.density_kernel);
     let reach = support / f64::from(scene.particle_spacing);
     over_lattice(scene, support, &|q| value(kernel, q)) * kernel.normalisation(d) / power(reach, d)
 }
 
-/// `V^2 sum |grad W|^2` over the lattice, 1/m2, V the volume of a particle.
+/// `V^2 sum |grad W|^2` over the lattice, 1/m2, with V the volume of a particle.
 pub(crate) fn gradient_squares(scene: &Scene, support: f64) -> f64 {
     let (d, kernel) = (scene.dimension.count(), scene.model.pressure_kernel);
     let reach = support / f64::from(scene.particle_spacing);

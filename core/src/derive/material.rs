@@ -1,35 +1,37 @@
-//! Numbers of materials: what stands in the fourth number of a particle's velocity, and names the row of its constants. First come
-//! the fluids, then the blocks with a viscosity of their own, the walls, and the air that is not there.
+//! Indices of materials. The fourth number of a particle's velocity is the index of its material, which selects the row
+//! of its constants. First come the fluids, then the blocks with their own viscosity, the walls, and the inactive air
+//! particles.
 use crate::layout::MATERIALS;
 use crate::scene::{BLOCKS, FLUIDS, Scene, WALLS};
 
-/// First material of the blocks with a viscosity of their own; before it come the fluids.
+/// First material of the blocks with their own viscosity; the materials before it are the fluids.
 pub(crate) const FIRST_BLOCK: u32 = FLUIDS as u32;
 
 /// First material of the walls.
 pub(crate) const FIRST_WALL: u32 = FIRST_BLOCK + BLOCKS as u32;
 
-/// The material of a particle of air that is not there.
+/// The material of inactive air particles.
 pub(crate) const INACTIVE: u32 = MATERIALS as u32 - 1;
 
-/// What air that is not there has where a particle of a wall has a 1: whatever is more than 0 is held, and this can be told
-/// from a wall.
+/// Value that inactive air particles have where wall particles have a 1. Particles with any value above 0 are held, and
+/// this value distinguishes inactive air from walls.
 pub(crate) const NOT_THERE: f32 = 2.0;
 
 const _: () = assert!((FIRST_WALL as usize) + WALLS <= INACTIVE as usize, "room for every material");
 
-/// What a particle is of.
+/// What a particle belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Material {
-    /// A fluid, by number.
+    /// A fluid, by index.
     Fluid(u32),
-    /// A wall, by number.
+    /// A wall, by index.
     Wall(u32),
-    /// Air that is not there.
+    /// Inactive air.
     Inactive,
 }
 
-/// What a material's number means in a scene, if anything: of a block with a viscosity of its own its fluid.
+/// What the material with this index is in a scene; `None` if the scene has no such material. For a block with its own
+/// viscosity it is the fluid of the block.
 #[must_use]
 pub fn material_of(number: u32, scene: &Scene) -> Option<Material> {
     match number {

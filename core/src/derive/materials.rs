@@ -1,4 +1,4 @@
-//! The constants of each material: a row for each fluid, for each block of another viscosity, for each wall.
+//! The constants of each material: a row for each fluid, for each block with its own viscosity, and for each wall.
 use super::fluid::FluidConstants;
 use super::kernel_constants::{near_slope_constant, power};
 use super::lattice_sums::gradient_squares;
@@ -6,13 +6,13 @@ use super::material::{FIRST_BLOCK, FIRST_WALL, INACTIVE, NOT_THERE};
 use crate::layout::{MATERIALS, MaterialRows, Materials, f32x4};
 use crate::scene::{DensityForm, Fluid, Iteration, NearPressure, Scene};
 
-/// Share of a deviation of density that a step of corrected pressure is to mend (our choice).
+/// Share of the density deviation that one step of the pressure correction is to remove (our choice).
 pub(super) const CORRECTION_SOURCE: f32 = 0.1;
 
-/// Written for the viscosity of a wall that takes the particle's.
+/// Stored as the viscosity of a wall that takes the viscosity of the particle.
 const VISCOSITY_OF_PARTICLE: f32 = -1.0;
 
-/// The constants of all materials; `mass` is that of a particle of the first fluid.
+/// The constants of all materials; `mass` is the mass of a particle of the first fluid at rest, kg.
 pub(super) fn materials(scene: &Scene, fluids: &[FluidConstants], mass: f64, support: f64) -> Materials {
     Materials {
         properties: properties(scene, fluids),
@@ -21,7 +21,7 @@ pub(super) fn materials(scene: &Scene, fluids: &[FluidConstants], mass: f64, sup
     }
 }
 
-/// A row for each material, of its fluid; those that a scene has no use for are of its first.
+/// One row per material, computed from the material's fluid. Unused rows are those of the first fluid.
 fn rows(scene: &Scene, fluids: &[FluidConstants], of: impl Fn(&Fluid, &FluidConstants) -> f32x4) -> MaterialRows {
     let own = |number: u32| of(scene.fluid_of(number), fluids.get(number as usize).unwrap_or(&fluids[0]));
     let mut rows = [own(0); MATERIALS];
@@ -36,7 +36,8 @@ fn rows(scene: &Scene, fluids: &[FluidConstants], of: impl Fn(&Fluid, &FluidCons
     rows
 }
 
-/// Viscosity (negative: that of the particle), 1 for a wall and 2 for air that is not there, rest density over the first fluid's, number of the fluid.
+/// Viscosity (negative for that of the particle); 0 for fluids, 1 for walls, 2 for inactive air; rest density over that
+/// of the first fluid; index of the fluid.
 fn properties(scene: &Scene, fluids: &[FluidConstants]) -> MaterialRows {
     let ratio = |fluid: &Fluid| fluid.rest_density / scene.first_fluid().rest_density;
     let mut rows = rows(scene, fluids, |fluid, _| [fluid.dynamic_viscosity, 0.0, ratio(fluid), 0.0]);
@@ -50,20 +51,20 @@ fn properties(scene: &Scene, fluids: &[FluidConstants]) -> MaterialRows {
     for (material, wall) in rows[FIRST_WALL as usize..].iter_mut().zip(&scene.walls) {
         *material = [wall.dynamic_viscosity.unwrap_or(VISCOSITY_OF_PARTICLE), 1.0, material[2], wall.fluid as f32];
     }
-    // nobody acts on air that is not there
+    // inactive air particles are held, so nothing acts on them
     rows[INACTIVE as usize][1] = NOT_THERE;
     rows
 }
 
-/// Constant of the equation of state, near pressure, speed of sound, number of the equation; `mass` is that of a particle of the
-/// first fluid.
+/// Constant of the equation of state, near pressure, speed of sound, number of the equation of state; `mass` is the
+/// mass of a particle of the first fluid at rest, kg.
 fn states(scene: &Scene, fluids: &[FluidConstants], mass: f64, support: f64) -> MaterialRows {
     let d = scene.dimension.count();
     let mass = mass / f64::from(scene.first_fluid().rest_density);
     let sum_to_density = near_slope_constant(d) / 3.0 / power(support, d);
     let masses = matches!(scene.model.density, DensityForm::Summation | DensityForm::Continuity);
     rows(scene, fluids, |fluid, constants| {
-        // a sum over masses counts in those of the first fluid, one over numbers in its own
+        // a sum over masses is in units of the first fluid's mass, a number density in units of the particle's own mass
         let counted = if masses { scene.first_fluid().rest_density } else { fluid.rest_density };
         let near = constants.near_stiffness
             * match scene.model.near_pressure {
@@ -75,14 +76,15 @@ fn states(scene: &Scene, fluids: &[FluidConstants], mass: f64, support: f64) -> 
     })
 }
 
-/// What corrects pressure, and surface tension.
+/// Constants of the pressure correction, and surface tension.
 ///
-/// How much a pascal thins the density around it in a step, over the step's square, in 1/(Pa s2), and what is added to that, in
-/// 1/Pa. A pressure at `a` accelerates its neighbours by `m P / rho^2 grad W`, which within a step thins the density at `a` by
-/// `dt^2 V^2 / rho0 sum |grad W|^2` of itself for each pascal. By the letter the full stiffness is taken, `1 / (rho0 c0^2)` being
-/// twice what is added.
+/// The first two are the relative decrease of density around a particle per pascal and step, divided by the square of
+/// the time step, in 1/(Pa s2), and a term added to it, in 1/Pa. A pressure at `a` accelerates its neighbours by
+/// `m P / rho^2 grad W`, which within a step decreases the density at `a` by the relative amount
+/// `dt^2 V^2 / rho0 sum |grad W|^2` per pascal. The literal iteration uses the full stiffness `rho0 c0^2`, since the
+/// term added is half of `1 / (rho0 c0^2)` and the formula doubles it.
 fn corrections(scene: &Scene, fluids: &[FluidConstants], support: f64) -> MaterialRows {
-    // sums over the lattice are only for who needs them; 1 is a number that nobody uses
+    // lattice sums are computed only if needed; without pressure correction the offset of 1 is never used
     let corrects = scene.corrects_pressure();
     let relaxed = corrects && scene.model.correction.iteration == Iteration::Relaxed;
     let squares = if relaxed { gradient_squares(scene, support) } else { 0.0 };

@@ -1,8 +1,9 @@
-//! What follows from a scene: every number that is not asked for but computed, in f64, once, and rounded once (guided creation,
-//! Pirovano, section 4.1).
+//! Quantities derived from a scene: all numbers that are not set but computed. Each is computed once, in f64, and
+//! rounded once (Pirovano, section 4.1).
 //!
-//! Arrows between the files of this folder point one way, from [`Derived`] down to the lengths and the sums over the lattice.
-//! Whatever runs before the scene has been checked (lengths, counts) never panics and never takes long, whatever the scene says.
+//! Dependencies between the files of this folder point one way, from [`Derived`] down to the lengths and the lattice
+//! sums. Code that runs before the scene has been checked (lengths, counts) never panics and always finishes quickly,
+//! whatever the scene contains.
 pub(crate) mod bonds;
 pub(crate) mod counts;
 mod derived;

@@ -11,14 +11,17 @@ use bytemuck::Zeroable;
 
 const _: () = assert!(PLANES == FACES, "a plane for each face of a container");
 
-/// What keeps close pairs from dividing by nothing, over H^2. The sources' 0.01 h^2 has the h whose double is the support:
-/// with 0.01 H^2 the Laplacian of Morris et al. is 3 to 5 % too small on a lattice, with this at most 2 %.
+/// Softening of squared distances over H^2, which keeps close pairs from dividing by zero. In the sources it is 0.01
+/// h^2 with a support radius of 2 h. With 0.01 H^2 the Laplacian of Morris et al. 1997 is 3 to 5 % too small on a
+/// lattice, with this value at most 2 %.
 const SOFTENING: f64 = 0.01 / 4.0;
 
-/// Where a smooth kernel's Laplacian is taken for that at no distance, over H; it is even there, so this is right to 1e-6.
+/// Distance over H at which the Laplacian of a smooth kernel is evaluated for its value at distance zero. The Laplacian
+/// is an even function, so this is accurate to 1e-6.
 const AT_SELF: f64 = 1e-4;
 
-/// The constants of a scene, of its particles and cells, of the mass of a particle of its first fluid, and of its largest kinematic viscosity.
+/// The constants of a scene. `counts` and the cells are those of the scene, `mass` is the mass of a particle of the
+/// first fluid at rest in kg, and `kinematic_viscosity` is the largest one in m2/s.
 pub(super) fn parameters(
     scene: &Scene,
     scales: &Scales,
@@ -115,14 +118,14 @@ pub(super) fn parameters(
     }
 }
 
-/// The numbers of the first step, as a scene asks for it.
+/// The numbers of the first step, as the scene sets them.
 pub(super) fn step_uniform(scene: &Scene) -> StepUniform {
     let [gx, gy, gz] = scene.gravity.to_array();
     let wind = scene.wind.map_or([0.0; 4], |w| [w.velocity[0], w.velocity[1], w.velocity[2], w.drag]);
     StepUniform { gravity: [gx, gy, gz, 0.0], wind, ..Zeroable::zeroed() }.with_time_step(scene.time_step)
 }
 
-/// The walls of the container: inward normals and offsets, and how many there are.
+/// The penalty planes of the container: inward normals and offsets, and their number.
 fn planes(scene: &Scene) -> (Planes, u32) {
     let mut planes = [[0.0; 4]; PLANES];
     let mut count = 0;

@@ -1,11 +1,12 @@
-//! The lengths of a scene: the support radius and the edge of a cell; and the two scales of its fluids that all else is made of,
-//! sound and mass.
+//! The lengths of a scene, support radius and cell size; and the two scales of its fluids from which everything else is
+//! derived, speed of sound and particle mass.
 use super::kernel_constants::power;
 use super::lattice_sums::kernel_sum;
 use crate::scene::{Dimension, Fluid, Scene};
 use core::f64::consts::PI;
 
-/// A cell is a little larger than the support, so that rounding never parts two neighbours by two cells.
+/// Cell size over support radius. Cells are a little larger than the support, so that rounding never puts two
+/// neighbours two cells apart.
 const CELL_MARGIN: f64 = 1.0 + 1.0 / 1024.0;
 
 /// The lengths of a scene.
@@ -13,12 +14,12 @@ const CELL_MARGIN: f64 = 1.0 + 1.0 / 1024.0;
 pub(crate) struct Scales {
     /// [`support_radius`], m.
     pub(crate) support_radius: f64,
-    /// Edge of a cell at least, m.
+    /// Smallest edge of a cell, m.
     pub(crate) least_cell: f64,
 }
 
 impl Scales {
-    /// Of any scene: where its numbers are unusable, so are these.
+    /// The lengths of any scene. If the numbers of the scene are invalid, so are the lengths.
     pub(crate) fn of(scene: &Scene) -> Scales {
         let support_radius = support_radius(scene);
         let largest = scene.model.variable_support.map_or(1.0, |range| f64::from(range.largest));
@@ -31,18 +32,21 @@ impl Scales {
     }
 }
 
-/// Particles inside the support radius of the scene: the fewest that one of its fluids has (Pirovano, section 3.3).
+/// Average number of particles inside the support radius of the scene: the smallest that one of its fluids has
+/// (Pirovano, section 3.3).
 #[must_use]
 pub fn average_neighbours(scene: &Scene) -> f32 {
     let own = scene.fluids.iter().map(|fluid| fluid.average_neighbours.unwrap_or(scene.average_neighbours));
     own.fold(f32::INFINITY, f32::min)
 }
 
-/// Radius that holds `average_neighbours` particles at the initial spacing: `n = N/V 4/3 pi H^3`, in 2D `N/A pi H^2`
-/// (Pirovano, section 4.1.5, corrected), m. Of several fluids the smallest one (Pirovano, section 3.3).
+/// Support radius, m: the radius that holds `average_neighbours` particles at the initial spacing,
+/// `n = N/V 4/3 pi H^3`, in 2D `N/A pi H^2` (Pirovano, section 4.1.5, corrected). With several fluids it is the
+/// smallest of their radii (Pirovano, section 3.3).
 ///
-/// It follows from three fields alone, so that it can be asked for while the rest of a scene is still to be chosen, such as a
-/// time step. Of a scene that was checked it is [`Derived::support_radius`](super::Derived::support_radius).
+/// It depends only on the dimension, the particle spacing and the numbers of neighbours, so it can be computed while
+/// other fields of a scene, such as the time step, are still to be chosen. For a checked scene it is
+/// [`Derived::support_radius`](super::Derived::support_radius).
 #[must_use]
 pub fn support_radius(scene: &Scene) -> f64 {
     let (n, spacing) = (f64::from(average_neighbours(scene)), f64::from(scene.particle_spacing));
@@ -52,10 +56,10 @@ pub fn support_radius(scene: &Scene) -> f64 {
     }
 }
 
-/// Speed of sound of a fluid at rest, m/s: what it names; or `sqrt(7 k / rho0)` by Hinsch's constant k of Tait's equation; or what
-/// the time step allows, where the scene asks for that.
+/// Speed of sound of a fluid at rest, m/s: the fluid's own; or `sqrt(7 k / rho0)` if the fluid sets Hinsch's constant k
+/// of Tait's equation; or what the time step allows, if the scene sets `stiffness_for_time_step`.
 ///
-/// Like [`support_radius`] it can be asked for while the rest of a scene is still to be chosen.
+/// Like [`support_radius`] it can be computed while other fields of a scene are still to be chosen.
 #[must_use]
 pub fn speed_of_sound(scene: &Scene, fluid: &Fluid) -> f64 {
     if let Some(stiffness) = fluid.stiffness {
@@ -67,8 +71,9 @@ pub fn speed_of_sound(scene: &Scene, fluid: &Fluid) -> f64 {
     own / fastest * f64::from(courant) * support_radius(scene) / f64::from(scene.time_step)
 }
 
-/// Mass of a particle of the first fluid, kg, those of the others being as their rest densities: of the volume that it stands for
-/// at the start, `rho0 spacing^d`; calibrated, what makes the density sum over the lattice the rest density.
+/// Mass of a particle of the first fluid at rest, kg; masses in other fluids are in proportion to their rest densities.
+/// It is the mass of the volume per particle at the start, `rho0 spacing^d`; or, with `normalize_mass`, the mass for
+/// which the density sum over the lattice is the rest density.
 pub(crate) fn particle_mass(scene: &Scene, scales: &Scales) -> f64 {
     let lattice =
         f64::from(scene.first_fluid().rest_density) * power(f64::from(scene.particle_spacing), scene.dimension.count());

@@ -1,11 +1,12 @@
-//! What limits a time step: how far things may come in one.
+//! The criteria that limit a time step.
 use super::fluid::FluidConstants;
 use super::scales::Scales;
 use crate::scene::{AdaptiveTimeStep, Block, Fluid, Scene, Viscosity};
 
-/// Largest kinematic viscosity of a scene, m2/s: of a pair the mean viscosity, or that of the wall, over the smaller rest density,
-/// since the lighter of two is moved the more. Of the artificial viscosity that of Monaghan 1992, `alpha h c / (2 (d + 2))` with the
-/// support for h; exchanges, which take no time step, have none.
+/// Largest kinematic viscosity of a scene, m2/s. For a pair it is the mean viscosity, or that of the wall, over the
+/// smaller rest density, since the lighter of two particles is accelerated more. For the artificial viscosity it is
+/// `alpha h c / (2 (d + 2))` (Monaghan 1992), with the support radius for h. It is 0 for velocity exchange, which does
+/// not limit the time step.
 pub(super) fn kinematic_viscosity(scene: &Scene, scales: &Scales, fluids: &[FluidConstants]) -> f64 {
     let largest = |all: &mut dyn Iterator<Item = f64>| all.fold(0.0, f64::max);
     match scene.model.viscosity {
@@ -29,34 +30,34 @@ pub(super) fn kinematic_viscosity(scene: &Scene, scales: &Scales, fluids: &[Flui
     }
 }
 
-/// How far what limits a time step may come in one.
+/// The constants of the criteria that limit a time step.
 pub(super) struct StepLimits {
-    /// The fastest particle, m.
+    /// Distance that the fastest particle may travel in a step, m.
     pub(super) speed: f32,
     /// `C^2 H` of the criterion by acceleration, m.
     pub(super) acceleration: f32,
-    /// Sound, m.
+    /// Distance that sound may travel in a step, m.
     pub(super) sound: f32,
-    /// What viscosity allows, s.
+    /// Time step that viscosity allows, s.
     pub(super) viscosity: f32,
 }
 
 impl StepLimits {
-    /// So far, and such a time, that nothing is limited.
+    /// A distance and a time so large that nothing is limited.
     const NO_LIMIT: f64 = 1e30;
 
-    /// Of a scene whose largest kinematic viscosity is `viscosity`.
+    /// The limits of a scene whose largest kinematic viscosity is `viscosity`, m2/s.
     pub(super) fn of(scene: &Scene, adaptive: &AdaptiveTimeStep, scales: &Scales, viscosity: f64) -> StepLimits {
         let support = scales.support_radius;
         let reach = |courant: Option<f32>| courant.map_or(StepLimits::NO_LIMIT, |courant| f64::from(courant) * support);
-        // sound that is iterated for limits nothing
+        // with a pressure solver the speed of sound does not limit the time step
         let iterated = scene.corrects_pressure();
         let by_viscosity = adaptive.viscosity.filter(|_| viscosity > 0.0);
         let step =
             by_viscosity.map_or(StepLimits::NO_LIMIT, |courant| f64::from(courant) * support * support / viscosity);
         StepLimits {
             speed: reach(adaptive.speed) as f32,
-            // C sqrt(H / a) is the root of C^2 H / a
+            // C sqrt(H / a) is the square root of C^2 H / a
             acceleration: reach(adaptive.acceleration.map(|courant| courant * courant)) as f32,
             sound: reach(adaptive.sound.filter(|_| !iterated)) as f32,
             viscosity: step.min(StepLimits::NO_LIMIT) as f32,

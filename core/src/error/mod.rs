@@ -1,4 +1,5 @@
-//! Every way in which millpond can refuse: what, which, where, how much. Whatever refuses leaves the state as it was.
+//! Error types. An error says what is wrong, where (the field's path in the scene, or the particle), and what to
+//! change. A call that returns an error leaves the state of the fluid unchanged.
 mod restore;
 mod scene;
 mod step;

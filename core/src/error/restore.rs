@@ -1,53 +1,55 @@
-//! Why a fluid cannot go on from bytes.
+//! Errors of saving and restoring a fluid.
 use super::SceneError;
 use core::fmt;
 
-/// Bytes that a fluid cannot go on from.
+/// A fluid cannot be saved into, or restored from, the given bytes ([`Solver::save`](crate::Solver::save),
+/// [`Solver::restore`](crate::Solver::restore)).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum RestoreError {
-    /// Bytes that no fluid was saved to.
+    /// The bytes are not those of a saved fluid.
     NotSaved,
-    /// Bytes of another version.
+    /// The fluid was saved in another version of the format.
     WrongVersion {
-        /// Their version.
+        /// Version of the bytes.
         given: u32,
-        /// The one that this library reads and writes.
+        /// Version that this library reads and writes.
         known: u32,
     },
-    /// Bytes of a fluid of another scene, another plan of it, or another number of particles.
+    /// The fluid was saved from another scene, another plan of the scene, or with another number of particles.
     AnotherScene,
-    /// Bytes of another length than those of this scene.
+    /// The buffer does not have the length of a saved fluid of this scene,
+    /// [`Solver::saved_bytes`](crate::Solver::saved_bytes).
     WrongLength {
-        /// Bytes given.
+        /// Length of the given buffer in bytes.
         given: usize,
-        /// Bytes expected.
+        /// Expected length in bytes.
         expected: usize,
     },
-    /// Bytes that are not those that were written.
+    /// The bytes differ from those that were written.
     Damaged,
-    /// Values that were changed between steps and that no scene can have.
+    /// The saved values that can be changed between steps, such as gravity, do not form a valid scene.
     Scene(SceneError),
 }
 
 impl fmt::Display for RestoreError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            RestoreError::NotSaved => write!(f, "these bytes are no saved fluid: their header is missing"),
+            RestoreError::NotSaved => write!(f, "these bytes are not a saved fluid: their header is missing"),
             RestoreError::WrongVersion { given, known } => {
                 write!(
                     f,
-                    "the fluid was saved in version {given} of the format, and this library reads version {known}"
+                    "the fluid was saved in version {given} of the format, but this library reads version {known} only"
                 )
             }
             RestoreError::AnotherScene => {
-                write!(f, "the fluid was saved from another scene: create the solver from that scene")
+                write!(f, "the fluid was saved from another scene; create the solver from that scene")
             }
             RestoreError::WrongLength { given, expected } => {
-                write!(f, "a saved fluid of this scene takes {expected} bytes, and {given} were given")
+                write!(f, "a saved fluid of this scene has {expected} bytes, but {given} were given")
             }
             RestoreError::Damaged => write!(f, "the saved bytes are damaged: their checksum does not match"),
-            RestoreError::Scene(error) => write!(f, "the values that were saved are not those of a scene: {error}"),
+            RestoreError::Scene(error) => write!(f, "the saved values do not form a valid scene: {error}"),
         }
     }
 }

@@ -1,321 +1,322 @@
-//! Why a scene cannot run.
+//! Errors of scenes: why a scene cannot run, or a change of it cannot be made.
 use super::StepError;
 use crate::axis::Axis;
 use crate::plan::arrays::Quantity;
 use core::fmt;
 
-/// A scene that cannot run.
+/// A scene cannot run, or cannot be changed as requested. The state of the fluid is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SceneError {
     /// A field is NaN or infinite.
     NotFinite {
-        /// Which.
+        /// Path of the field.
         field: &'static str,
-        /// Its value.
+        /// Value of the field.
         value: f32,
     },
     /// The scene has no fluid.
     NoFluid,
-    /// A list of the scene has no room for another item.
+    /// A list of the scene is full, so no item can be added.
     ListIsFull {
-        /// Which list.
+        /// Path of the list.
         field: &'static str,
-        /// How many items it can have.
+        /// Largest number of items.
         capacity: u32,
     },
     /// A field must be larger than zero.
     NotPositive {
-        /// Which.
+        /// Path of the field.
         field: &'static str,
-        /// Its value.
+        /// Value of the field.
         value: f32,
     },
     /// A field must not be negative.
     Negative {
-        /// Which.
+        /// Path of the field.
         field: &'static str,
-        /// Its value.
+        /// Value of the field.
         value: f32,
     },
     /// A field must lie between 0 and 1.
     NotAShare {
-        /// Which.
+        /// Path of the field.
         field: &'static str,
-        /// Its value.
+        /// Value of the field.
         value: f32,
     },
     /// A field lies outside of its bounds.
     OutOfBounds {
-        /// Which.
+        /// Path of the field.
         field: &'static str,
-        /// Its value.
+        /// Value of the field.
         value: f32,
-        /// Smallest allowed.
+        /// Smallest allowed value.
         least: f32,
-        /// Largest allowed.
+        /// Largest allowed value.
         most: f32,
     },
-    /// The container has no inside along an axis.
+    /// The container is empty: its low corner is not below its high corner along an axis.
     EmptyContainer {
         /// The axis.
         axis: Axis,
-        /// Its low side, m.
+        /// Coordinate of the low corner, m.
         low: f32,
-        /// Its high side, m.
+        /// Coordinate of the high corner, m.
         high: f32,
     },
-    /// A scene in 2D has gravity or a velocity along z.
+    /// A scene in 2D has gravity, a velocity or a position with a z component, or a wall perpendicular to z.
     OutOfPlane,
-    /// A block is thinner than half a spacing along an axis, so it would have no particles.
+    /// A block is smaller than half a particle spacing along an axis, so it would have no particles.
     EmptyBlock {
-        /// Which block, counted from 0.
+        /// Index of the block, counted from 0.
         block: usize,
         /// The axis.
         axis: Axis,
-        /// Its extent, m.
+        /// Extent of the block, m.
         size: f32,
     },
-    /// A block reaches through a wall of the container.
+    /// A block reaches out of the container.
     BlockOutside {
-        /// Which block, counted from 0.
+        /// Index of the block, counted from 0.
         block: usize,
         /// The axis.
         axis: Axis,
-        /// How far, m.
+        /// Distance by which the block reaches out, m.
         by: f32,
     },
-    /// A periodic domain has no inside along an axis.
+    /// The periodic domain is empty: its low corner is not below its high corner along a periodic axis.
     EmptyDomain {
         /// The axis.
         axis: Axis,
-        /// Its low side, m.
+        /// Coordinate of the low corner, m.
         low: f32,
-        /// Its high side, m.
+        /// Coordinate of the high corner, m.
         high: f32,
     },
-    /// A block or a wall is longer than the period of an axis, so that it would lie on its own image.
+    /// A block or a wall is longer than the period of an axis, so it would overlap its own periodic image.
     LapsItself {
         /// `blocks` or `walls`.
         what: &'static str,
-        /// Which of them, counted from 0.
+        /// Index in that list, counted from 0.
         index: usize,
         /// The axis.
         axis: Axis,
-        /// How much too long it is, m.
+        /// Excess length, m.
         by: f32,
     },
-    /// A wall's particles stay where they are, so its surface can slide and not come nearer.
+    /// A plane has a velocity along its normal. Wall particles do not move, so its surface can only slide.
     WallAdvances {
-        /// Which wall, counted from 0.
+        /// Index of the wall, counted from 0.
         wall: usize,
-        /// The axis.
+        /// Axis of the normal.
         axis: Axis,
-        /// Its velocity along that axis, across itself, m/s.
+        /// Velocity along that axis, m/s.
         velocity: f32,
     },
-    /// A wall is thinner than half a spacing along an axis, or a plane has an extent across itself.
+    /// A wall is smaller than half a particle spacing or too large along an axis, or a plane has an extent along its
+    /// normal.
     WallExtent {
-        /// Which wall, counted from 0.
+        /// Index of the wall, counted from 0.
         wall: usize,
         /// The axis.
         axis: Axis,
-        /// Its extent, m.
+        /// Extent of the wall, m.
         size: f32,
     },
-    /// A field of accelerations needs two nodes along each axis, between which it is linear.
+    /// The acceleration field has fewer than the two nodes along an axis that linear interpolation needs.
     TooFewPoints {
         /// The axis.
         axis: Axis,
-        /// Nodes along it.
+        /// Number of nodes along the axis.
         points: u32,
     },
-    /// A number that no fluid of the scene has.
+    /// An index of a fluid that the scene does not have.
     NoSuchFluid {
-        /// Which field names it.
+        /// Path of the field, or name of the method, that has the index.
         field: &'static str,
-        /// That number.
+        /// The index.
         fluid: u32,
-        /// Fluids of the scene, which are counted from 0.
+        /// Number of fluids of the scene, which are counted from 0.
         fluids: u32,
     },
-    /// Two choices that do not go together.
+    /// Two settings cannot be combined.
     NotTogether {
-        /// A field and what it is.
+        /// Path of a field with its value, or name of a method.
         choice: &'static str,
-        /// Another.
+        /// The setting that it conflicts with.
         other: &'static str,
-        /// Why not.
+        /// The reason, and what to change.
         why: &'static str,
     },
-    /// A term that the plan left out, so that its coefficient cannot be changed.
+    /// A coefficient cannot be changed between steps, because the plan left out its term.
     LeftOut {
-        /// The field.
+        /// Name of the coefficient.
         field: &'static str,
-        /// What [`Scene::adjustable`](crate::scene::Scene::adjustable) must list to keep the term.
+        /// Item that [`Scene::adjustable`](crate::scene::Scene::adjustable) must contain to keep the term.
         live: &'static str,
     },
-    /// A pressure correction by the letter, whose iteration grows instead of settling.
+    /// The pressure correction with [`Iteration::Literal`](crate::scene::Iteration::Literal) would diverge, because
+    /// sound travels too far in a step.
     CannotConverge {
-        /// How far sound travels in a step, in particle spacings.
+        /// Distance that sound travels in a step, in particle spacings.
         spacings: f32,
-        /// How far it may.
+        /// Largest distance for which the iteration converges.
         most: f32,
     },
-    /// A field, with the others, makes constants that no f32 can hold.
+    /// A field makes derived constants that f32 cannot represent, or a support radius too large for sums over the
+    /// lattice.
     OutOfScale {
-        /// Which.
+        /// Path of the field.
         field: &'static str,
-        /// Its value.
+        /// Value of the field.
         value: f32,
     },
-    /// A plan that was not made for this scene.
+    /// The plan was made for another scene.
     PlanOfAnotherScene,
-    /// A particle of a kind or a mass that the scene gives nobody, so that its plan leaves it out.
+    /// A particle has a material or a mass that the plan does not support, or its material does not fit its id: with a
+    /// layer of air the last `air.capacity` particles must be air.
     UnplannedParticle {
-        /// Its id.
+        /// Id of the particle.
         particle: u32,
     },
-    /// A quantity that a particle is to start with is NaN or infinite.
+    /// A quantity of a particle at the start is NaN or infinite.
     ParticleNotFinite {
-        /// Its id.
+        /// Id of the particle.
         particle: u32,
-        /// Which quantity.
+        /// The quantity.
         quantity: Quantity,
     },
-    /// A wrapped axis needs three cells, else a neighbour would be met twice.
+    /// The grid has fewer than three cells along an axis. Because cells wrap around, neighbours would be found twice.
     TooFewCells {
         /// The axis.
         axis: Axis,
-        /// Cells along it.
+        /// Number of cells along the axis.
         cells: u32,
     },
-    /// More cells or places than an index can name.
+    /// The grid has more cells, or places in cells, than an index can address.
     TooManyCells {
-        /// Cells along x, y, z.
+        /// Number of cells along x, y, z.
         cells: [u32; 3],
-        /// Places of each.
+        /// Places per cell; 1 with the index sort.
         places: u32,
     },
-    /// More particles than a status word can name.
+    /// The scene has more particles than can be addressed.
     TooManyParticles {
-        /// Particles of the scene.
+        /// Number of particles of the scene.
         particles: u64,
-        /// The limit.
+        /// Largest number of particles.
         most: u64,
     },
-    /// A call got more or fewer entries than the scene has.
+    /// A method got more or fewer items than it needs.
     WrongLength {
-        /// The call.
+        /// Name of the method.
         call: &'static str,
-        /// What it takes.
+        /// Name of the items.
         what: &'static str,
-        /// Entries given; one more than expected where an iterator did not end.
+        /// Number of items given; one more than expected if an iterator has more items than that.
         given: usize,
-        /// Entries expected.
+        /// Number of items expected.
         expected: usize,
     },
-    /// Fewer particles were given than the coat of air alone can have.
+    /// Fewer particles were given than `air.capacity`.
     TooFewParticles {
-        /// Particles given.
+        /// Number of particles given.
         particles: usize,
-        /// Particles of air, `air.capacity`.
+        /// Number of air particles, `air.capacity`.
         air: usize,
     },
-    /// The memory lent is too small.
+    /// The memory lent to the solver is too small, or the scene needs more springs than `elasticity.capacity`.
     CapacityExceeded {
-        /// Which array or group of arrays.
+        /// Name of the array or group of arrays.
         what: &'static str,
-        /// Entries needed.
+        /// Number of entries needed.
         needed: usize,
-        /// Entries lent.
+        /// Number of entries available.
         capacity: usize,
     },
-    /// The scene's first forces could not be evaluated.
+    /// The forces at the start could not be evaluated.
     FirstStep(StepError),
 }
 
 impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            SceneError::NotFinite { field, value } => write!(f, "{field} is {value}, which is not a finite number"),
-            SceneError::NoFluid => write!(f, "fluids is empty: a scene needs at least one fluid"),
+            SceneError::NotFinite { field, value } => write!(f, "{field} is {value}, but must be a finite number"),
+            SceneError::NoFluid => write!(f, "fluids is empty; a scene needs at least one fluid"),
             SceneError::ListIsFull { field, capacity } => {
-                write!(f, "{field} is full: a scene can have at most {capacity} of them")
+                write!(f, "{field} is full; a scene can have at most {capacity} of them")
             }
-            SceneError::NotPositive { field, value } => write!(f, "{field} is {value}, and must be larger than 0"),
-            SceneError::Negative { field, value } => write!(f, "{field} is {value}, and must not be negative"),
-            SceneError::NotAShare { field, value } => write!(f, "{field} is {value}, and must lie between 0 and 1"),
+            SceneError::NotPositive { field, value } => write!(f, "{field} is {value}, but must be larger than 0"),
+            SceneError::Negative { field, value } => write!(f, "{field} is {value}, but must not be negative"),
+            SceneError::NotAShare { field, value } => write!(f, "{field} is {value}, but must lie between 0 and 1"),
             SceneError::OutOfBounds { field, value, least, most } => {
-                write!(f, "{field} is {value}, and must lie between {least} and {most}")
+                write!(f, "{field} is {value}, but must lie between {least} and {most}")
             }
             SceneError::EmptyContainer { axis, low, high } => {
-                write!(f, "container has no inside along {axis}: low {low} m, high {high} m")
+                write!(f, "container.low {low} m is not below container.high {high} m along {axis}")
             }
-            SceneError::OutOfPlane => write!(f, "a scene in 2D has gravity, a place or a velocity along z"),
+            SceneError::OutOfPlane => write!(f, "dimension is 2D: gravity, positions, velocities, normals need z = 0"),
             SceneError::EmptyBlock { block, axis, size } => {
-                write!(f, "blocks[{block}].size is {size} m along {axis}: less than half a particle_spacing")
+                write!(f, "blocks[{block}].size is {size} m along {axis}, but must be at least half a particle_spacing")
             }
             SceneError::BlockOutside { block, axis, by } => {
-                write!(f, "blocks[{block}] reaches {by} m through a wall along {axis}")
+                write!(f, "blocks[{block}] reaches {by} m out of the container along {axis}")
             }
             SceneError::EmptyDomain { axis, low, high } => {
-                write!(f, "periodic has no inside along {axis}: low {low} m, high {high} m")
+                write!(f, "periodic.low {low} m is not below periodic.high {high} m along {axis}")
             }
             SceneError::LapsItself { what, index, axis, by } => {
                 write!(f, "{what}[{index}] is {by} m longer than the period along {axis}")
             }
             SceneError::WallAdvances { wall, axis, velocity } => {
-                write!(f, "walls[{wall}].velocity is {velocity} m/s along {axis}, across it: a wall slides, and stays")
+                write!(f, "walls[{wall}].velocity is {velocity} m/s along {axis}, the wall's normal, but must be 0")
             }
             SceneError::WallExtent { wall, axis, size } => {
-                write!(f, "walls[{wall}] is {size} m along {axis}: give a plane 0 m across, and at least half a ")?;
-                write!(f, "particle_spacing along all else")
+                write!(f, "walls[{wall}] extends {size} m along {axis}; a plane must extend 0 m along its normal, ")?;
+                write!(f, "and every other extent must be half a particle_spacing to 2^28 particle_spacings")
             }
             SceneError::TooFewPoints { axis, points } => {
-                write!(f, "acceleration_field.counts has {points} along {axis}, and must have at least 2")
+                write!(f, "acceleration_field.counts is {points} along {axis}, but must be at least 2")
             }
             SceneError::NoSuchFluid { field, fluid, fluids } => {
-                write!(f, "{field} names fluid {fluid}, and the scene has {fluids}, counted from 0")
+                write!(f, "{field} names fluid {fluid}, but fluids has length {fluids}, and fluids are counted from 0")
             }
-            SceneError::NotTogether { choice, other, why } => write!(f, "{choice} does not go with {other}: {why}"),
+            SceneError::NotTogether { choice, other, why } => write!(f, "{choice} conflicts with {other}: {why}"),
             SceneError::LeftOut { field, live } => {
-                write!(
-                    f,
-                    "{field} cannot be changed, because the plan left its term out: list {live} in the scene's live"
-                )
+                write!(f, "{field} cannot be changed, because the plan left out its term; list {live} in adjustable")
             }
             SceneError::CannotConverge { spacings, most } => {
-                write!(f, "time_step lets sound travel {spacings} spacings, and the literal pressure correction ")?;
-                write!(f, "converges up to {most}: use model.correction.iteration Relaxed, or smaller steps")
+                write!(f, "time_step lets sound travel {spacings} particle spacings, but model.correction.iteration ")?;
+                write!(f, "Literal converges only up to {most}; use iteration Relaxed, or a smaller time step")
             }
             SceneError::OutOfScale { field, value } => {
-                write!(f, "{field} is {value}, which makes constants that no f32 can hold")
+                write!(f, "{field} is {value}, too large or too small for the constants derived from it")
             }
-            SceneError::PlanOfAnotherScene => write!(f, "the plan was made for another scene"),
+            SceneError::PlanOfAnotherScene => write!(f, "the plan was made for another scene; make one for this scene"),
             SceneError::UnplannedParticle { particle } => {
-                write!(f, "particle {particle} has a kind or a mass that no particle of the scene has")
+                write!(f, "particle {particle} has a material or a mass that the plan does not support")
             }
             SceneError::ParticleNotFinite { particle, quantity } => {
                 write!(f, "{quantity:?} of particle {particle} is not a finite number")
             }
             SceneError::TooFewCells { axis, cells } => {
-                write!(f, "grid.cells has {cells} along {axis}, and must have at least 3")
+                write!(f, "grid.cells has {cells} along {axis}, but needs at least 3 (lengthen a periodic axis)")
             }
             SceneError::TooManyCells { cells: [x, y, z], places } => {
-                write!(f, "grid.cells {x} x {y} x {z}, with {places} places each, make more than 2^31 places")
+                write!(f, "grid.cells {x} x {y} x {z} with {places} places each exceed the limit of 2^31 - 1 places")
             }
             SceneError::TooManyParticles { particles, most } => {
-                write!(f, "the scene has {particles} particles, and at most {most} are possible")
+                write!(f, "the scene has {particles} particles, but at most {most} are possible")
             }
             SceneError::WrongLength { call, what, given, expected } => {
                 write!(f, "`{call}` got {given} {what}, expected {expected}")
             }
             SceneError::TooFewParticles { particles, air } => {
-                write!(f, "air.capacity is {air}, and only {particles} particles were given: the last ones are the air")
+                write!(f, "air.capacity is {air}, but only {particles} particles were given; the last ones are the air")
             }
             SceneError::CapacityExceeded { what, needed, capacity } => {
-                write!(f, "the scene needs {needed} of {what}, and the memory lent has {capacity}")
+                write!(f, "the scene needs {needed} of {what}, but only {capacity} are available; provide more")
             }
             SceneError::FirstStep(error) => write!(f, "the scene cannot start: {error}"),
         }

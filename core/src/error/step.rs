@@ -1,52 +1,58 @@
-//! Why a step could not be made.
+//! Why a time step cannot be made.
 use crate::axis::Axis;
 use crate::plan::arrays::Quantity;
 use core::fmt;
 
-/// A step that could not be made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// A time step that cannot be made. The fluid is as it was before the step.
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum StepError {
-    /// A particle went beyond 2^22 cells from the origin, where `f32` no longer tells cells apart.
+    /// A particle is more than 2^22 cells away from the origin, where an `f32` can no longer tell cells apart.
     OutOfRange {
-        /// Its id.
+        /// Id of the particle.
         particle: u32,
         /// The axis.
         axis: Axis,
-        /// The step that was tried, counted from 1.
+        /// Number of the step, counted from 1.
         step: u64,
     },
-    /// More particles came into a cell than it has places. Give `grid.structure` more places, or take shorter steps.
+    /// A cell holds more particles than it has places, with [`GridStructure::CellLists`](crate::scene::GridStructure::CellLists).
     CellFull {
         /// Index of the cell.
         cell: u32,
-        /// Particles that wanted in.
+        /// Particles in that cell.
         count: u32,
-        /// Places it has.
+        /// Places of a cell.
         capacity: u32,
-        /// The step that was tried, counted from 1.
+        /// Number of the step, counted from 1.
         step: u64,
     },
-    /// A step was undone and made again, shorter, so often that there seems to be no step that is short enough.
+    /// A step was rejected and made again with a shorter time step as often as that is allowed, and was always too long.
     NoTimeStep {
-        /// How often.
+        /// Number of attempts.
         attempts: u32,
-        /// The step that was tried, counted from 1.
+        /// Number of the step, counted from 1.
         step: u64,
     },
-    /// A quantity became NaN or infinite; most often the time step is too large.
+    /// [`Solver::advance`](crate::Solver::advance) or [`Solver::step_until`](crate::Solver::step_until) was given a time that is negative, has
+    /// passed already, or is not finite.
+    InvalidTime {
+        /// The time that was given, s.
+        seconds: f64,
+    },
+    /// A quantity became NaN or infinite. Most often the time step is too large.
     NotFinite {
-        /// Its id.
+        /// Id of the particle.
         particle: u32,
-        /// What is not finite.
+        /// The quantity that is not finite.
         quantity: Quantity,
-        /// The step that was tried, counted from 1.
+        /// Number of the step, counted from 1.
         step: u64,
     },
 }
 
 impl StepError {
-    /// The same error of step number `now`.
+    /// Returns the same error with `now` as the number of its step.
     #[must_use]
     pub fn at_step(mut self, now: u64) -> StepError {
         match &mut self {
@@ -54,6 +60,7 @@ impl StepError {
             | StepError::CellFull { step, .. }
             | StepError::NoTimeStep { step, .. }
             | StepError::NotFinite { step, .. } => *step = now,
+            StepError::InvalidTime { .. } => {}
         }
         self
     }
@@ -63,20 +70,28 @@ impl fmt::Display for StepError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             StepError::OutOfRange { particle, axis, step } => {
-                write!(f, "step {step}: particle {particle} went beyond the grid's range along {axis}")
-            }
-            StepError::CellFull { cell, count, capacity, step } => {
-                write!(f, "step {step}: cell {cell} has {count} particles and {capacity} places")
-            }
-            StepError::NoTimeStep { attempts, step } => {
                 write!(
                     f,
-                    "step {step} was made {attempts} times, each shorter than the one before, and is still too long: "
+                    "step {step}: particle {particle} is more than 2^22 cells away from the origin along {axis}; "
                 )?;
+                write!(f, "the fluid may have become unstable (use a smaller time_step) or fallen out of the scene")
+            }
+            StepError::CellFull { cell, count, capacity, step } => {
+                write!(f, "step {step}: cell {cell} holds {count} particles and has {capacity} places; ")?;
+                write!(f, "increase places in grid.structure, or use a smaller time_step")
+            }
+            StepError::NoTimeStep { attempts, step } => {
+                write!(f, "step {step} was tried {attempts} times, each time shorter, and was always too long; ")?;
                 write!(f, "increase adaptive.reject_ratio or adaptive.smallest")
             }
+            StepError::InvalidTime { seconds } => {
+                write!(f, "the time to advance to is {seconds} s; it must be finite, and must not lie in the past")
+            }
             StepError::NotFinite { particle, quantity, step } => {
-                write!(f, "step {step}: {quantity:?} of particle {particle} is not finite any more")
+                write!(
+                    f,
+                    "step {step}: {quantity:?} of particle {particle} is no longer finite; use a smaller time_step"
+                )
             }
         }
     }

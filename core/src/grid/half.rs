@@ -1,34 +1,36 @@
-//! Half of the cells around a cell: those that lie ahead of it, so that each pair of cells is met once.
+//! The half stencil: the half of the cells around a cell that lies ahead of it, so that each pair of cells is visited
+//! once.
 use super::{Cells, wrapped};
 use crate::layout::Parameters;
 use core::ops::Range;
 
-/// Cells ahead of one in space: its neighbour along x, three of the next row, nine of the next plane.
+/// Number of cells ahead of a cell in 3D: its neighbour along x, three in the next row, nine in the next plane.
 const AHEAD: usize = 13;
 
-/// Planes of cells. Pairs reach from one to the next: along z, in 2D rows along y.
+/// Planes of cells, in 3D across the z axis; in 2D rows, across the y axis. Pairs reach from one plane to the next.
 #[derive(Clone, Copy)]
 pub(crate) struct Planes {
-    /// How many there are.
+    /// Number of planes.
     pub count: usize,
-    /// Cells of each.
+    /// Number of cells in each plane.
     pub cells: usize,
 }
 
 impl Planes {
-    /// Those of a grid.
+    /// Returns the planes of a grid. `layers` is 1 in 3D and 0 in 2D.
     pub(crate) fn of(p: &Parameters, layers: u32) -> Planes {
         let [x, y, z, _] = p.cells.map(|count| count as usize);
         if layers == 0 { Planes { count: y, cells: x } } else { Planes { count: z, cells: x * y } }
     }
 
-    /// Slots of the particles in these planes, of which there is one at least.
+    /// Returns the slots of the particles in a range of planes, which must not be empty.
     pub(crate) fn slots(&self, cells: Cells<'_>, planes: Range<usize>) -> Range<usize> {
         cells.members(planes.start * self.cells).start..cells.members(planes.end * self.cells - 1).end
     }
 }
 
-/// The members of the cells ahead of `cell`, in order: along x, the next row, the next plane.
+/// Returns the slots of the cells ahead of `cell`, in this order: along x, the next row, the next plane. `layers` is 1
+/// in 3D and 0 in 2D.
 pub(crate) fn ahead(p: &Parameters, layers: u32, cells: Cells<'_>, cell: usize) -> impl Iterator<Item = Range<usize>> {
     let [nx, ny, nz, _] = p.cells.map(|count| count as i32);
     let (row, x) = (cell as i32 / nx, cell as i32 % nx);

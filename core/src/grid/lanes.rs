@@ -1,13 +1,14 @@
-//! The cells of several positions side by side.
+//! The cells of several positions, one per lane.
 use super::{FARTHEST_CELL, floor_of, within_a_period};
 use crate::arithmetic::codes::MOST_LANES;
 use crate::arithmetic::lanes::Lanes;
 use crate::layout::{Parameters, f32x4};
 
-/// The cells of as many positions as there are lanes; nothing where one of them is beyond the range, or more than a period away from
-/// the grid. [`cell_of`](super::cell_of) tells of each by itself.
+/// Returns the cells of as many positions as there are lanes. Returns `None` if one of them is out of range or more
+/// than one period away from the grid; [`cell_of`](super::cell_of) then handles each position separately.
 ///
-/// Whole numbers in loops over arrays, in which the compiler finds vectors: the vocabulary of the terms has none.
+/// The integers are computed in loops over arrays, which the compiler vectorises, because the intrinsics of the terms
+/// include no integers.
 #[inline(always)]
 #[expect(clippy::needless_bitwise_bool, reason = "a short cut would be a branch in each lane")]
 pub(crate) fn cells_of<'r, R: Lanes>(p: &Parameters, row: impl Fn(usize) -> &'r f32x4) -> Option<[u32; MOST_LANES]> {
@@ -21,7 +22,7 @@ pub(crate) fn cells_of<'r, R: Lanes>(p: &Parameters, row: impl Fn(usize) -> &'r 
         for (cell, scaled) in cells[..R::LANES].iter_mut().zip(&scaled[..R::LANES]) {
             let near = within_a_period(floor_of(*scaled), count);
             all &= (scaled.abs() < FARTHEST_CELL) & (near >= 0) & (near < count);
-            // x + nx (y + ny z), from z on
+            // x + nx (y + ny z), starting with z
             *cell = (near as u32).wrapping_add(p.cells[axis].wrapping_mul(*cell));
         }
     }
@@ -34,7 +35,7 @@ mod tests {
     use crate::arithmetic::level::{Simd, Work};
     use crate::grid::cell_of;
 
-    /// Asserts for a row in the last lane that the cells are those of [`cell_of`], where they are told.
+    /// Asserts that the cell of a position in the last lane is that of [`cell_of`], if cells are returned.
     struct Last<'a>(&'a Parameters, f32x4, &'a mut u32);
 
     impl Work for Last<'_> {
@@ -63,7 +64,7 @@ mod tests {
                     simd.run(Last(&parameters, [x, y, z, 1.0], &mut told));
                 }
             }
-            // most are within a period of the grid
+            // most positions are within a period of the grid
             assert!((20..48).contains(&told), "{simd:?}: {told}");
         }
     }

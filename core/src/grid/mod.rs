@@ -1,9 +1,11 @@
-//! Where neighbours are found: particles sorted by cell, and the cells around a cell.
+//! The uniform grid: particles sorted by cell, and the stencil of cells around a cell, in which neighbours are
+//! searched.
 //!
-//! The cells wrap around, so far particles may share one; the distance test sorts them out. The stencil runs z, then y,
-//! then x ascending in unwrapped coordinates, and members of a cell stand in the order of their ids: this order of
-//! summation is part of the specification, and no structure, grid size or history changes it. The half stencil has an order of its
-//! own (`half.rs`), which the number of cells decides too.
+//! The cells wrap around, so distant particles may share a cell; the distance test excludes them. The stencil visits
+//! cells by z, then y, then x, each ascending in unwrapped coordinates, and the particles of a cell are in the order of
+//! their ids. This order of summation is part of the specification: it does not depend on the grid structure, the grid
+//! size or earlier steps. The half stencil has a different order (`half.rs`), which also depends on the number of
+//! cells.
 pub(crate) mod half;
 pub(crate) mod lanes;
 
@@ -11,10 +13,11 @@ use crate::executor::share_of;
 use crate::layout::{Model, Parameters, f32x4};
 use core::ops::Range;
 
-/// A coordinate past this many cells from the origin cannot tell its cell any more.
+/// Largest distance of a coordinate from the origin, in cells. Beyond it single precision is too coarse to determine
+/// the cell.
 pub const FARTHEST_CELL: f32 = 4_194_304.0;
 
-/// The cell of a coordinate along an axis before wrapping, or `None` beyond the range (or for NaN).
+/// Returns the cell of a coordinate along an axis before wrapping, or `None` if it is out of range or NaN.
 #[inline]
 #[must_use]
 pub fn cell_coordinate(p: &Parameters, axis: usize, x: f32) -> Option<i32> {
@@ -22,15 +25,16 @@ pub fn cell_coordinate(p: &Parameters, axis: usize, x: f32) -> Option<i32> {
     (scaled.abs() < FARTHEST_CELL).then(|| floor_of(scaled))
 }
 
-/// The largest whole number that is not larger.
+/// Returns the largest integer that is not larger than the argument.
 #[inline(always)]
 fn floor_of(scaled: f32) -> i32 {
     let towards_zero = scaled as i32;
-    // wraps for numbers beyond the range, which callers refuse
+    // wraps for numbers out of range, which callers reject
     towards_zero.wrapping_sub(i32::from(towards_zero as f32 > scaled))
 }
 
-/// Index of the wrapped cell at unwrapped coordinates: floor and Euclidean remainder (Pirovano source 4.2, corrected).
+/// Returns the index of the cell at unwrapped coordinates, which are wrapped by floor and Euclidean remainder
+/// (Pirovano, source 4.2, corrected).
 #[inline]
 #[must_use]
 pub fn cell_index(p: &Parameters, c: [i32; 3]) -> u32 {
@@ -38,23 +42,24 @@ pub fn cell_index(p: &Parameters, c: [i32; 3]) -> u32 {
     x + p.cells[0] * (y + p.cells[1] * z)
 }
 
-/// Euclidean remainder. Nearly all coordinates are less than a period off, and a division costs as much as trying a few neighbours.
+/// Returns the Euclidean remainder. Nearly all coordinates are less than a period off, and a division costs as much as
+/// the distance test of a few neighbours.
 #[inline(always)]
 fn wrapped(c: i32, count: i32) -> i32 {
     let near = within_a_period(c, count);
     if (0..count).contains(&near) { near } else { c.rem_euclid(count) }
 }
 
-/// The remainder of a coordinate that is less than a period off, else some other number beyond the grid.
+/// Returns the remainder of a coordinate that is less than a period off, else some number outside the grid.
 #[inline(always)]
 fn within_a_period(c: i32, count: i32) -> i32 {
     c.wrapping_add(if c < 0 { count } else { 0 }).wrapping_sub(if c >= count { count } else { 0 })
 }
 
-/// Cell of a position.
+/// Returns the cell of a position.
 ///
 /// # Errors
-/// The first axis along which it lies beyond the range.
+/// The first axis along which the position is out of range, if there is one.
 #[inline]
 pub fn cell_of(p: &Parameters, position: f32x4) -> Result<u32, u32> {
     let mut c = [0; 3];
@@ -64,23 +69,23 @@ pub fn cell_of(p: &Parameters, position: f32x4) -> Result<u32, u32> {
     Ok(cell_index(p, c))
 }
 
-/// Is this the cell of air that is not there? It is the last one, and no stencil reaches it.
+/// Returns whether this is the cell of inactive air particles. It is the last cell, and no stencil includes it.
 #[inline(always)]
 pub(crate) fn is_limbo(m: &Model, p: &Parameters, cell: usize) -> bool {
     m.has_air == 1 && cell + 1 == p.cells[3] as usize
 }
 
-/// The sorted particles: those of cell `c` stand at slots `start[c] ..`, `counter[c]` of them.
+/// The particles sorted by cell: those of cell `c` lie in `counter[c]` slots from `start[c]` on.
 #[derive(Clone, Copy)]
 pub struct Cells<'a> {
     /// First slot of each cell.
     pub start: &'a [u32],
-    /// Particles of each cell.
+    /// Number of particles in each cell.
     pub counter: &'a [u32],
 }
 
 impl Cells<'_> {
-    /// Slots of a cell.
+    /// Returns the slots of a cell.
     #[inline(always)]
     #[must_use]
     pub fn members(&self, cell: usize) -> Range<usize> {
@@ -88,12 +93,13 @@ impl Cells<'_> {
         start..start + self.counter[cell] as usize
     }
 
-    /// First slot of a cell, or the number of particles for the one after the last.
+    /// Returns the first slot of a cell, or the number of particles for the cell after the last.
     fn first_slot(&self, cell: usize, particles: usize) -> usize {
         self.start.get(cell).map_or(particles, |&slot| slot as usize)
     }
 
-    /// Cuts the cells into `parts` runs of about equally many particles: (cells, slots) of each.
+    /// Divides the cells into `parts` ranges with about the same number of particles. Each item is a range of cells and
+    /// its range of slots.
     pub fn shares(self, parts: usize, particles: usize) -> impl Iterator<Item = (Range<usize>, Range<usize>)> {
         let mut from = 0;
         (1..=parts).map(move |part| {
@@ -110,14 +116,15 @@ impl Cells<'_> {
     }
 }
 
-/// Runs of slots around a cell, in the order of the stencil.
+/// The cells around a cell, as runs of consecutive slots, in the order of summation.
 pub struct Stencil {
     runs: [(u32, u32); 27],
     count: usize,
 }
 
 impl Stencil {
-    /// The runs around `cell`. Cells that follow each other along x without wrapping share one.
+    /// Returns the stencil around `cell`. `layers` is 1 in 3D and 0 in 2D. Adjacent cells along x share a run unless
+    /// they wrap around.
     #[inline]
     #[must_use]
     pub fn around(p: &Parameters, layers: i32, cells: Cells<'_>, cell: usize) -> Stencil {
@@ -151,7 +158,7 @@ impl Stencil {
         }
     }
 
-    /// The runs.
+    /// Returns the runs of slots.
     #[inline(always)]
     pub fn runs(&self) -> impl Iterator<Item = Range<usize>> {
         self.runs[..self.count].iter().map(|&(start, end)| start as usize..end as usize)

@@ -1,23 +1,25 @@
-//! What each material has of its own: particles name theirs by number.
+//! Constants of each material. A particle stores the index of its material.
 use super::{f32x4, shared};
 
-/// Materials that there is room for: fluids, blocks with a viscosity of their own, walls, and the last one for inactive particles.
+/// Number of materials that there is room for: fluids, blocks with their own viscosity, walls, and, as the last one,
+/// inactive air particles.
 pub const MATERIALS: usize = 256;
 
-/// A row for each material.
+/// One row per material.
 pub type MaterialRows = [f32x4; MATERIALS];
 
 shared! {
     /// The constants of the materials.
     pub struct Materials {
-        /// Dynamic viscosity in Pa s (negative for a wall that takes the particle's), 1 for a wall and 2 for inactive particles,
-        /// rest density over the first fluid's, number of the fluid.
+        /// Dynamic viscosity in Pa s (negative for a wall that takes the viscosity of the particle); 0 for fluids, 1
+        /// for walls and 2 for inactive particles; rest density over that of the first fluid; index of the fluid.
         pub properties: MaterialRows,
-        /// Constant of the equation of state, near pressure at rest (thesis) or over the near sum (article), both in Pa, speed
-        /// of sound in m/s, number of the equation.
+        /// Constant of the equation of state, Pa; near pressure at rest (density-proportional) or over the near density
+        /// sum (double density), Pa; speed of sound, m/s; number of the equation of state.
         pub states: MaterialRows,
-        /// Of an iteration of pressure: how much a pressure thins the density around it in a step, over the step's square, in
-        /// 1/(Pa s2), what is added to that, in 1/Pa; `1 / (rho0 c0^2)` in 1/Pa; surface tension.
+        /// For the pressure correction: relative decrease of density around a particle per pascal and step, divided by
+        /// the square of the time step, 1/(Pa s2); a term added to it, 1/Pa; `1 / (rho0 c0^2)`, 1/Pa. Last, the
+        /// coefficient of surface tension.
         pub corrections: MaterialRows,
     }
 }

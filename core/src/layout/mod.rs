@@ -1,7 +1,9 @@
-//! The bytes that both backends share: struct of arrays of four numbers, and structs that name their own WGSL.
+//! Memory layout shared by the CPU and GPU backends: arrays with elements of up to four numbers (structure of arrays),
+//! and structs that provide their own WGSL declaration.
 //!
-//! Fields are `u32`, `f32`, fours of them and arrays of those: never `vec3`, `usize` or `bool`, whose sizes differ
-//! between the languages. No hidden padding: bytemuck's derive refuses it, and a test reads the WGSL back through naga.
+//! Fields have the types `u32` and `f32`, vectors of four of them, and arrays of these. The types `vec3`, `usize` and
+//! `bool` are not used, since their sizes differ between the two languages. There is no hidden padding: bytemuck's
+//! derive rejects it, and a test compares the layout with the WGSL as parsed by naga.
 #![expect(non_camel_case_types, reason = "the WGSL aliases have these names")]
 
 mod materials;
@@ -24,16 +26,16 @@ pub type f32x4 = [f32; 4];
 pub type u32x4 = [u32; 4];
 /// Two unsigned integers.
 pub type u32x2 = [u32; 2];
-/// The penalty walls of a scene: normal and offset of each plane.
+/// The penalty planes of a scene: normal and offset of each.
 pub type Planes = [f32x4; PLANES];
 
-/// Threads of a work group on a GPU.
+/// Threads in a GPU work group.
 pub const WORKGROUP: u32 = 64;
 
-/// What a particle's derived quantities are, in the order of the four numbers of `density_pressure`.
+/// Names of the derived quantities of a particle, in the order of the four numbers of `density_pressure`.
 pub const QUANTITIES: [&str; 4] = ["deviation", "pressure", "near_pressure", "volume"];
 
-/// Declares a struct once, for Rust and, as `WGSL`, for the GPU.
+/// Declares a struct for Rust and, in its constant `WGSL`, for the GPU.
 macro_rules! shared {
     ($(#[$doc:meta])* pub struct $name:ident { $($(#[$field_doc:meta])* pub $field:ident: $type:ident,)* }) => {
         $(#[$doc])*
@@ -42,14 +44,14 @@ macro_rules! shared {
         pub struct $name { $($(#[$field_doc])* pub $field: $type,)* }
 
         impl $name {
-            /// The same struct in WGSL.
+            /// The declaration of this struct in WGSL.
             pub const WGSL: &str = concat!(
                 "struct ", stringify!($name), " {\n",
                 $("  ", stringify!($field), ": ", stringify!($type), ",\n",)*
                 "}\n"
             );
 
-            /// Name, offset and size of each field in Rust, for whoever compares.
+            /// Name, offset and size of each field in Rust, to compare with the WGSL layout.
             pub const FIELDS: &[(&str, usize, usize)] = &[
                 $((stringify!($field), core::mem::offset_of!($name, $field), size_of::<$type>()),)*
             ];

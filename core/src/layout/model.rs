@@ -1,8 +1,8 @@
-//! Which formula each term uses: the plan's choices as numbers that both languages compare.
+//! Which formula each term uses: the choices of the plan as numbers that Rust and WGSL compare.
 use super::shared;
 
 shared! {
-    /// The choices of a scene. On the GPU this is a constant, so that what is not chosen is compiled away.
+    /// The choices of a scene. On the GPU this struct is a constant, so that unused formulas are compiled away.
     pub struct Model {
         /// [`terms::kernel`](crate::terms::kernel) of the density.
         pub density_kernel: u32,
@@ -14,11 +14,11 @@ shared! {
         pub evaluation: u32,
         /// [`terms::density`](crate::terms::density).
         pub density: u32,
-        /// [`terms::correction`](crate::terms::correction): where pressure comes from.
+        /// [`terms::correction`](crate::terms::correction): how pressure is computed.
         pub pressure_solver: u32,
         /// [`terms::state`](crate::terms::state).
         pub equation_of_state: u32,
-        /// [`terms::correction`](crate::terms::correction).
+        /// [`terms::correction`](crate::terms::correction): how pressure is iterated.
         pub iteration: u32,
         /// 1: pressure may be negative.
         pub allows_negative_pressure: u32,
@@ -28,61 +28,62 @@ shared! {
         pub near_pressure: u32,
         /// [`terms::viscosity`](crate::terms::viscosity); 0: none.
         pub viscosity: u32,
-        /// 1: velocities are exchanged ([`terms::exchange`](crate::terms::exchange)).
+        /// 1: neighbours exchange velocities ([`terms::exchange`](crate::terms::exchange)).
         pub has_velocity_exchange: u32,
-        /// 1: gravity acts.
+        /// 1: there is gravity.
         pub has_gravity: u32,
-        /// 1: against the buoyancy of what surrounds the fluid.
+        /// 1: the buoyancy of the ambient medium reduces gravity.
         pub has_buoyancy: u32,
-        /// 1: wind acts.
+        /// 1: there is wind.
         pub has_wind: u32,
-        /// 1: a field of the host's acts.
+        /// 1: there is an acceleration field supplied by the caller.
         pub has_acceleration_field: u32,
-        /// 1: there are penalty walls.
+        /// 1: there are penalty planes.
         pub has_container: u32,
-        /// 1: they give back no more than the share of the path that lay behind them.
+        /// 1: penalty planes return only the share of the normal velocity that corresponds to the part of the path
+        /// behind the plane (energy conserving, Kelager 2006).
         pub has_conserving_reflection: u32,
-        /// [`terms::wall`](crate::terms::wall): walls of particles; 0: none.
+        /// [`terms::wall`](crate::terms::wall): wall particles; 0: none.
         pub wall_particles: u32,
-        /// 1: some axis is periodic.
+        /// 1: at least one axis is periodic.
         pub is_periodic: u32,
-        /// 1: supports follow the density.
+        /// 1: support radii follow the density.
         pub has_variable_support: u32,
-        /// 1: particles differ in mass.
+        /// 1: particles of one fluid may differ in mass.
         pub has_variable_mass: u32,
-        /// 1: particles differ in kind: walls, or fluids of several viscosities.
+        /// 1: there are several materials: walls, several fluids, or blocks with their own viscosity.
         pub has_materials: u32,
         /// 1: there are several fluids.
         pub is_multi_fluid: u32,
-        /// 1: their equations of state differ.
+        /// 1: the equations of state of the fluids differ.
         pub has_mixed_state_equations: u32,
-        /// 1: volumes come from the number density, where the density does not.
+        /// 1: volumes are computed from the number density although the density is not.
         pub has_number_density_volume: u32,
         /// [`terms::tension`](crate::terms::tension); 0: none.
         pub tension: u32,
-        /// 1: normals are found.
+        /// 1: normals are computed.
         pub has_normals: u32,
         /// 1: springs join particles.
         pub has_springs: u32,
-        /// 1: their lengths at rest change.
+        /// 1: rest lengths of springs change.
         pub is_plastic: u32,
-        /// 1: there is a coat of air.
+        /// 1: there is a layer of air.
         pub has_air: u32,
-        /// 1: thermal energy is kept account of.
+        /// 1: internal energy is tracked.
         pub has_internal_energy: u32,
-        /// 1: particles move with their neighbours.
+        /// 1: XSPH: particles move with a velocity nearer to that of their neighbours.
         pub has_xsph: u32,
         /// [`terms::integrate`](crate::terms::integrate).
         pub integrator: u32,
-        /// 1: forces are evaluated once more, with the velocities at the end of the step.
+        /// 1: forces are evaluated a second time, with the predicted velocities at the end of the step.
         pub is_reevaluated: u32,
-        /// 1: the time step follows from the state.
+        /// 1: the time step is adaptive.
         pub is_adaptive: u32,
-        /// Cells around a particle's own along z, 0 or 1: in 2D there is one layer.
+        /// 1 in 3D, 0 in 2D: how many layers of cells the stencil spans on either side along z.
         pub is_3d: u32,
-        /// Places of a cell in the cell lists; 0 with the index sort.
+        /// Number of places per cell in the cell lists; 0 with the index sort.
         pub cell_places: u32,
-        /// 1: each pair is computed once, by the half of the stencil. Never on a device.
+        /// 1: each pair is computed once, by the half stencil. Always 0 on a GPU.
         pub is_half_stencil: u32,
     }
 }

@@ -1,125 +1,127 @@
-//! The constants of a scene, computed once on the CPU and handed to both backends as bits.
+//! The constants of a scene, computed once on the CPU and passed to both backends bit by bit.
 use super::{Planes, f32x4, shared, u32x4};
 
-/// Penalty walls that a scene can have.
+/// Largest number of penalty planes in a scene.
 pub const PLANES: usize = 6;
 
 shared! {
-    /// What every pass reads. SI units, as in 3D; in 2D masses are per metre of depth, and constants of kernels have one
-    /// metre less below the line.
+    /// Constants that every pass reads. SI units, given for 3D. In 2D masses are per metre of depth, and the constants
+    /// of kernels have one power of metre less in the denominator.
     pub struct Parameters {
-        /// Cells along x, y, z, and in all: with air one more than these make, for particles that are not there.
+        /// Cells along x, y, z, and in total. With air the total includes one more cell, which holds the inactive
+        /// particles.
         pub cells: u32x4,
-        /// One over the edge of a cell along x, y, z, 1/m; w unused.
+        /// Inverse of the cell size along x, y, z, 1/m; w unused.
         pub inverse_cell: f32x4,
-        /// Where cells and periods begin along x, y, z, m; w unused.
+        /// Origin of the cells and periods along x, y, z, m; w unused.
         pub domain_low: f32x4,
-        /// Length of the periodic axes, m; 0 along the others; w unused.
+        /// Length of the period along periodic axes, m; 0 along other axes; w unused.
         pub period: f32x4,
-        /// Half of it; the largest number along the others; w unused.
+        /// Half of the period, m; `f32::MAX` along other axes; w unused.
         pub half_period: f32x4,
-        /// One over it, 1/m; 0 along the others; w unused.
+        /// Inverse of the period, 1/m; 0 along other axes; w unused.
         pub inverse_period: f32x4,
-        /// First node of the host's field, m, and one over the distance of nodes, 1/m.
+        /// First node of the acceleration field supplied by the caller, m; w: inverse of the spacing of its nodes, 1/m.
         pub field_low: f32x4,
-        /// Nodes along x, y, z, and in all.
+        /// Nodes of that field along x, y, z, and in total.
         pub field_counts: u32x4,
-        /// Penalty walls: inward unit normal, and offset along it in m.
+        /// Penalty planes: inward unit normal, and offset along the normal in m.
         pub planes: Planes,
-        /// Particles in all.
+        /// Number of all particles.
         pub particle_count: u32,
-        /// Penalty walls in use.
+        /// Number of penalty planes in use.
         pub plane_count: u32,
-        /// One over the support radius, 1/m.
+        /// Inverse of the support radius H, 1/m.
         pub inverse_support: f32,
-        /// Its square, 1/m2.
+        /// Square of `inverse_support`, 1/m2.
         pub inverse_support_squared: f32,
-        /// Support radius, m.
+        /// Support radius H, m.
         pub support: f32,
-        /// `0.01 (H / 2)^2`, m2, which keeps close pairs from dividing by nothing.
+        /// `0.01 (H / 2)^2`, m2. It is added to squared distances, so that close pairs do not divide by zero.
         pub softening: f32,
-        /// Smallest share of it that a particle's support has.
+        /// Smallest support radius of a particle over `support`.
         pub smallest_support: f32,
-        /// Largest share.
+        /// Largest support radius of a particle over `support`.
         pub largest_support: f32,
-        /// Mass of a particle of the first fluid, kg.
+        /// Mass of a particle of the first fluid at rest, kg.
         pub particle_mass: f32,
         /// Volume of a particle at rest, m3.
         pub rest_volume: f32,
-        /// Density of the first fluid at rest, kg/m3.
+        /// Rest density of the first fluid, kg/m3.
         pub rest_density: f32,
-        /// What makes a sum over the density kernel a share of the rest density.
+        /// Factor that turns a sum over the density kernel into a density over the rest density.
         pub density_constant: f32,
-        /// What makes a sum over the pressure kernel's slope a rate of the deviation: mass over rest density, times the
-        /// slope's constant, times one over the support.
+        /// Factor that turns a sum over the slope of the pressure kernel into a rate of the density deviation: mass
+        /// over rest density, times the constant of the slope, divided by the support radius.
         pub continuity_constant: f32,
-        /// Constant of the pressure kernel's slope, 1/m4.
+        /// Constant of the slope of the pressure kernel, 1/m4.
         pub pressure_constant: f32,
-        /// Constant of the near kernel's slope, 1/m4.
+        /// Constant of the slope of the near kernel, 1/m4.
         pub near_constant: f32,
-        /// Constant of the viscosity kernel's slope, 1/m4.
+        /// Constant of the slope of the viscosity kernel, 1/m4.
         pub viscosity_slope_constant: f32,
-        /// Constant of the viscosity kernel's Laplacian, 1/m5.
+        /// Constant of the Laplacian of the viscosity kernel, 1/m5.
         pub viscosity_laplacian_constant: f32,
-        /// Constant of the density kernel, 1/m3, as it measures colours.
+        /// Constant of the density kernel in the colour field, 1/m3.
         pub colour_constant: f32,
-        /// Of its slope, 1/m4.
+        /// Constant of the slope of the density kernel in the colour field, 1/m4.
         pub colour_slope_constant: f32,
-        /// Of its Laplacian, 1/m5.
+        /// Constant of the Laplacian of the density kernel in the colour field, 1/m5.
         pub colour_laplacian_constant: f32,
-        /// That Laplacian at no distance, without the constant.
+        /// Laplacian of the density kernel at distance zero, without its constant.
         pub colour_curvature_at_self: f32,
-        /// Length of a normal from which on a particle is at the surface, 1/m.
+        /// Length of a normal above which a particle is at the surface, 1/m.
         pub surface_threshold: f32,
-        /// Directions along a surface, d - 1.
+        /// Number of directions along a surface, d - 1.
         pub surface_directions: f32,
-        /// Strain that a spring bears without giving way.
+        /// Yield strain of springs: the strain up to which they keep their rest length.
         pub yield_strain: f32,
-        /// Share of the strain beyond it that is lost in a second, 1/s.
+        /// Share of the strain beyond the yield strain that relaxes per second, 1/s.
         pub plastic_rate: f32,
-        /// Length of a spring at which it breaks, over its length at rest.
+        /// Length at which a spring breaks, over its rest length.
         pub breaking_stretch: f32,
-        /// Share of the deviation of density that a step is to mend.
+        /// Share of the density deviation that one step of the pressure correction is to remove.
         pub correction_source: f32,
-        /// Largest density miss at which iterations end.
+        /// Largest relative density error at which the pressure iteration has converged.
         pub tolerance: f32,
         /// Linear coefficient of the artificial viscosity.
         pub alpha: f32,
-        /// Quadratic one.
+        /// Quadratic coefficient of the artificial viscosity.
         pub beta: f32,
-        /// `2 (d + 2)`.
+        /// `2 (d + 2)`, the factor of the Monaghan-Gingold viscosity.
         pub dotted_factor: f32,
-        /// Share of a velocity difference exchanged in a step.
+        /// Share of a velocity difference that neighbours at distance zero exchange in a step.
         pub velocity_exchange: f32,
-        /// The same of approaching velocities.
+        /// Share of the approach velocity that neighbours at distance zero exchange in a step.
         pub radial_exchange: f32,
-        /// What makes a sum over the density kernel a velocity: eta, mass over rest density, constant.
+        /// Factor that turns a sum over the density kernel into an XSPH velocity: eta, times mass over rest density,
+        /// times the constant of the kernel.
         pub xsph_constant: f32,
-        /// Share of dissipation that becomes heat.
+        /// Share of the dissipated energy that becomes internal energy.
         pub heat_gain: f32,
-        /// Ambient density over rest density.
+        /// Ambient density over the rest density of the first fluid.
         pub ambient_ratio: f32,
-        /// Share of the normal velocity that a penalty wall gives back.
+        /// Share of the normal velocity that a penalty plane returns.
         pub restitution: f32,
-        /// Share of the tangential velocity that it leaves.
+        /// Share of the tangential velocity that a penalty plane keeps.
         pub slip: f32,
-        /// Distance of particles at the start, m.
+        /// Particle spacing at the start, m.
         pub spacing: f32,
-        /// Length of the normal of all that is there from which on a particle of liquid is bare, 1/m.
+        /// Length of the colour gradient of all fluids together above which a particle of liquid is exposed, 1/m.
         pub air_threshold: f32,
-        /// Share of its density at rest below which a particle of air vanishes.
+        /// Share of its rest density below which an air particle is removed.
         pub air_minimum: f32,
-        /// Thermal energy of air that is made, J/kg.
+        /// Internal energy of spawned air, J/kg.
         pub air_heat: f32,
-        /// Number of the fluid that the air is.
+        /// Index of the fluid that the air is.
         pub air_fluid: f32,
-        /// First id of the coat's particles, which are the last.
+        /// First id of the particles of the air layer, whose ids are the last.
         pub first_air: u32,
-        /// How far the fastest particle may come in a step, `C H`, m.
+        /// `C H` of the criterion by speed: distance that the fastest particle may travel in a step, m.
         pub speed_limit_length: f32,
         /// `C^2 H` of the criterion by acceleration, m.
         pub acceleration_reach: f32,
-        /// How far sound may come in a step, `C H`, m.
+        /// `C H` of the criterion by the speed of sound: distance that sound may travel in a step, m.
         pub sound_limit_length: f32,
         /// Longest step that viscosity allows, `C H^2 / nu`, s.
         pub viscous_time_step: f32,
@@ -127,20 +129,22 @@ shared! {
         pub smallest_time_step: f32,
         /// Longest step, s.
         pub largest_time_step: f32,
-        /// Times that a step may be as long as the last one.
+        /// Largest ratio of a time step to the one before it.
         pub max_time_step_growth: f32,
-        /// A step is made again where it lasted more than so many times what it should have; 0: never.
+        /// A step is rejected and repeated if it was longer than this many times the step that the state at its end
+        /// asks for; 0: never.
         pub reject_ratio: f32,
     }
 }
 
 impl Parameters {
-    /// The same scene while time stands still or runs back: no walls to meet, springs that bear everything and keep their lengths.
+    /// The constants for evaluating forces with time at rest or running backwards: no penalty planes, and springs that
+    /// never break.
     pub(crate) fn at_rest(self) -> Parameters {
         Parameters { plane_count: 0, breaking_stretch: f32::MAX, ..self }
     }
 
-    /// The same for a step back in time.
+    /// The constants for a step backwards in time, in which springs also keep their rest lengths.
     pub(crate) fn backwards(self) -> Parameters {
         Parameters { plastic_rate: 0.0, ..self.at_rest() }
     }

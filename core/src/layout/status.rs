@@ -1,89 +1,92 @@
-//! What a step on a device has to say for itself.
+//! Status written by the GPU step and read by the host program.
 use super::shared;
 
-/// No particle, no cell: the largest index, so that an atomic minimum finds the smallest offender.
+/// No particle or no cell. It is the largest index, so that an atomic minimum finds the smallest index with an error.
 pub const NONE: u32 = u32::MAX;
 
-/// Attempts at one step, each shorter than the one before, after which it is refused.
+/// Largest number of attempts at one step, each with a shorter time step than the one before. After these the step
+/// fails.
 pub const MOST_ATTEMPTS: u32 = 64;
 
-/// Arrays of a state that a status word can tell apart: it holds this many times a particle's id, and the number of the array.
+/// Number of state arrays that a status word can distinguish: the word is the particle's id times this number, plus the
+/// number of the array.
 pub const QUANTITIES_OF_ID: u32 = 16;
 
 shared! {
-    /// Head of the status buffer. The three offenders are minima over a pass, so no order of threads changes them; the
-    /// last pass of a step looks at them once, and a step that finds one sets `failed`, after which no step does anything.
+    /// Head of the status buffer. `out_of_range`, `cell_full` and `not_finite` are minima over a pass, so the order of
+    /// threads does not change them. The last pass of a step checks them, and a step with an error sets `failed`, after
+    /// which all further steps do nothing.
     pub struct Status {
-        /// 0; 1 for good; 2 for an attempt that sits out, since the one before is to be made again and its states are the
-        /// other way round.
+        /// 0: no failure. 1: a step failed, and all further steps do nothing. 2: a step was rejected and is to be
+        /// repeated, and the next attempt is skipped, because it was recorded with the two states exchanged.
         pub failed: u32,
-        /// Steps that count.
+        /// Accepted steps.
         pub steps: u32,
-        /// Smallest `4 id + axis` of a particle beyond the grid's range.
+        /// Smallest `4 id + axis` of a particle beyond the range of the grid.
         pub out_of_range: u32,
-        /// Smallest cell with more particles than places.
+        /// Smallest index of a cell with more particles than places.
         pub cell_full: u32,
-        /// Particles in that cell.
+        /// Number of particles in that cell.
         pub cell_count: u32,
-        /// Smallest `16 id + array` of a particle that is not finite any more.
+        /// Smallest `16 id + array` of a particle with a value that is not finite.
         pub not_finite: u32,
-        /// Iterations of pressure: 0 while there is something to mend, 1 when the last pressure is still to act, 2 when
-        /// all is done.
+        /// State of the pressure iteration: 0 while it has not converged, 1 once it has converged and the last pressure
+        /// is still to be applied, 2 when that is done.
         pub pressure_converged: u32,
-        /// Largest density miss of the last iteration, as the bits of a number that is not negative.
+        /// Largest density error of the current iteration, as the bits of a non-negative f32.
         pub residual: u32,
-        /// Iterations of this step.
+        /// Pressure iterations of the current step.
         pub iterations: u32,
-        /// Iterations of the last step that counts.
+        /// Pressure iterations of the last accepted step.
         pub last_iterations: u32,
-        /// Density miss at its end.
+        /// Density error at the end of the last accepted step, as the bits of an f32.
         pub last_residual: u32,
-        /// Iterations of all steps that count.
+        /// Pressure iterations of all accepted steps.
         pub total_iterations: u32,
-        /// Births of air in this step for which no particle was left.
+        /// Spawn requests of the current step for which no inactive particle was left.
         pub refused: u32,
-        /// Of all steps that count.
+        /// Spawn requests of all accepted steps for which no inactive particle was left.
         pub air_refused: u32,
-        /// Particles of the coat of air that are there after this step.
+        /// Active particles of the air layer after the current step.
         pub alive: u32,
-        /// After the last step that counts.
+        /// Active particles of the air layer after the last accepted step.
         pub air_alive: u32,
-        /// Largest squared speed of this step, as the bits of a number that is not negative, (m/s)^2. These three only where
-        /// the time step follows from them.
+        /// Largest squared speed of the current step, as the bits of a non-negative f32, (m/s)^2. This and the next two
+        /// fields are only used with adaptive time steps.
         pub max_speed_squared: u32,
-        /// Largest squared acceleration, likewise, (m/s2)^2.
+        /// Largest squared acceleration, as the bits of a non-negative f32, (m/s2)^2.
         pub max_acceleration_squared: u32,
-        /// Largest speed of sound, likewise, m/s.
+        /// Largest speed of sound, as the bits of a non-negative f32, m/s.
         pub max_sound_speed: u32,
-        /// Density miss of the last iteration of this step.
+        /// Density error of the last iteration of the current step, as the bits of an f32.
         pub left: u32,
-        /// Times that this step was undone.
+        /// Attempts at the current step that were rejected.
         pub undone: u32,
-        /// Steps that were made again, shorter.
+        /// Rejected attempts in all accepted steps. Each was repeated with a shorter time step.
         pub rejected_steps: u32,
-        /// Steps that were not made as short as they should have been, the shortest being longer.
+        /// Accepted steps that should have been shorter than the shortest time step allowed.
         pub held: u32,
-        /// The next step, s. This and the next two go into the step's uniform before it.
+        /// The next time step, s. This field and the next two are copied into the step's uniform before the step.
         pub time_step: f32,
-        /// Half of it, s.
+        /// Half of the next time step, s.
         pub half_time_step: f32,
-        /// One over it, 1/s.
+        /// Inverse of the next time step, 1/s.
         pub inverse_time_step: f32,
-        /// What the next step was to be after the last one that counts, s.
+        /// Time step of the first attempt at the next step, s. It is restored if the step fails.
         pub first_time_step: f32,
-        /// The last step that counts, s.
+        /// Time step of the last accepted step, s.
         pub last_time_step: f32,
-        /// What it should have been at most, s.
+        /// Largest time step that the criteria allowed at the end of the last accepted step, s.
         pub last_wanted: f32,
         /// Simulated time, s.
         pub clock: f32,
-        /// And what that sum lost, s.
+        /// Rounding error of the sum in `clock`, s.
         pub clock_lost: f32,
     }
 }
 
 impl Status {
-    /// Nothing has gone wrong after `steps` steps.
+    /// The status after `steps` steps without an error.
     #[must_use]
     pub fn fine(steps: u32) -> Status {
         Status { steps, out_of_range: NONE, cell_full: NONE, not_finite: NONE, ..bytemuck::Zeroable::zeroed() }

@@ -1,13 +1,14 @@
-//! Kernels as tables, where a scene reads them from there.
+//! Tables of kernels, for scenes that interpolate kernels instead of evaluating their formulas.
 
-/// Entries of a table: 1024 intervals.
+/// Number of entries in a table: 1024 intervals.
 pub const TABLE_ENTRIES: usize = 1025;
 
-/// Tables: the density kernel, the pressure kernel's slope, what viscosity takes of its kernel.
+/// Number of tables: value of the density kernel, slope of the pressure kernel, and slope or Laplacian of the viscosity
+/// kernel.
 pub const TABLES: usize = 3;
 
-/// All of them, in whole fours, as a device wants them.
+/// Number of words in all tables, rounded up to a multiple of four for the GPU.
 pub const TABLE_WORDS: usize = (TABLES * TABLE_ENTRIES).next_multiple_of(4);
 
-/// The tables of a scene one after the other; empty where it reads none.
+/// The tables of a scene, one after the other; empty if the scene reads none.
 pub type Tables = [f32];

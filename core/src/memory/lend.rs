@@ -1,11 +1,11 @@
-//! How memory is lent to a solver: arrays by their names, and an arena for all that have none.
+//! How memory is lent to a solver: some arrays by name, and an arena for all others.
 use super::requirements::{LINE_WORDS, Requirements};
 use crate::error::SceneError;
 use crate::plan::arrays::Array;
 use bytemuck::Pod;
 
-/// Memory lent to a solver: some arrays by name, as [`Storage`](super::Storage) does, all others in an arena. It may be
-/// larger than a scene needs.
+/// Memory lent to a solver: some arrays by name, as [`Storage`](super::Storage) provides them, and all others in an
+/// arena. It may be larger than a scene needs.
 #[derive(Debug)]
 pub struct Memory<'m> {
     named: [[&'m mut [u32]; 2]; Array::COUNT],
@@ -14,7 +14,7 @@ pub struct Memory<'m> {
 }
 
 impl<'m> Memory<'m> {
-    /// An arena alone. Its first bytes, up to a multiple of four, may go unused.
+    /// Memory that consists of an arena only. Its first bytes, up to a multiple of four, may stay unused.
     #[must_use]
     pub fn of_arena(arena: &'m mut [u8]) -> Memory<'m> {
         let named = core::array::from_fn(|_| Default::default());
@@ -26,7 +26,7 @@ impl<'m> Memory<'m> {
         self
     }
 
-    /// The same with an array by name, in one copy or two.
+    /// Adds an array by name, in one copy or two.
     #[must_use]
     pub(crate) fn with<T: Pod>(mut self, array: Array, copies: impl IntoIterator<Item = &'m mut [T]>) -> Memory<'m> {
         for (named, copy) in self.named[array as usize].iter_mut().zip(copies) {
@@ -35,14 +35,14 @@ impl<'m> Memory<'m> {
         self
     }
 
-    /// The same with so many words for neighbour lists at most, 0 for none: they save time and never change a bit,
-    /// since a group whose list does not fit searches its cells.
+    /// Limits the memory for neighbour lists to `most` words; 0 means no lists. Lists save time and never change a bit
+    /// of the result: a group of particles whose list does not fit searches its cells.
     #[must_use]
     pub fn with_neighbour_words(self, most: usize) -> Memory<'m> {
         Memory { most_neighbour_words: most, ..self }
     }
 
-    /// What hands out the arrays of a simulation with these requirements.
+    /// Returns a lender that hands out the arrays of a simulation with these requirements.
     pub(super) fn lender<'r>(self, requirements: &'r Requirements) -> Lender<'m, 'r> {
         let Memory { named, arena, most_neighbour_words } = self;
         let unnamed = |array: &&Array| named[**array as usize][0].is_empty();
@@ -52,7 +52,7 @@ impl<'m> Memory<'m> {
     }
 }
 
-/// Hands out the arrays.
+/// Hands out arrays from the memory lent.
 pub(super) struct Lender<'m, 'r> {
     named: [[&'m mut [u32]; 2]; Array::COUNT],
     arena: &'m mut [u32],
@@ -62,13 +62,15 @@ pub(super) struct Lender<'m, 'r> {
 }
 
 impl<'m> Lender<'m, '_> {
-    /// Words of the memory for neighbour lists that lists are made in. The rest of it still holds what sorts the particles.
+    /// Number of words in which neighbour lists are made. The memory of the lists may have more words, because it also
+    /// holds the arrays that sort the particles.
     pub(super) fn list_words(&self) -> usize {
-        // a range names a chunk of codes by a u32
+        // the range of a group refers to a chunk of codes by a u32
         self.requirements.entries(Array::neighbours).min(self.most_neighbour_words).min(u32::MAX as usize)
     }
 
-    /// A copy of an array, as long as it must be, all zero where it comes from the arena.
+    /// Returns a copy of an array in its required length. From the arena it is all zero. An array without this copy is
+    /// empty.
     pub(super) fn take<T: Pod>(&mut self, array: Array, copy: usize) -> Result<&'m mut [T], SceneError> {
         let entries = if copy < self.requirements.copies(array) { self.requirements.entries(array) } else { 0 };
         let words = entries.saturating_mul(array.words());

@@ -1,4 +1,4 @@
-//! The memory of a simulation: how much of it a scene needs, how it is lent, and the arrays that it is cut into.
+//! The memory of a simulation: how much a scene needs, how it is lent to a solver, and its division into arrays.
 mod lend;
 #[cfg(feature = "alloc")]
 mod owned;

@@ -1,4 +1,4 @@
-//! Memory for a scene of any size, from the heap.
+//! Memory on the heap, for a scene of any size.
 use super::lend::Memory;
 use super::requirements::Requirements;
 use crate::validate::Checked;
@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 #[repr(C, align(64))]
 struct Line([u8; 64]);
 
-/// As much memory as a scene needs, on the heap.
+/// Memory on the heap, as much as a scene needs.
 ///
 /// ```
 /// use millpond_core::glam::Vec3;
@@ -29,20 +29,20 @@ struct Line([u8; 64]);
 pub struct OwnedMemory(Vec<Line>);
 
 impl OwnedMemory {
-    /// For a scene.
+    /// Allocates the memory for a scene.
     #[must_use]
     pub fn of(scene: &Checked<'_>) -> OwnedMemory {
         OwnedMemory::with(&Requirements::of(scene))
     }
 
-    /// For these requirements.
+    /// Allocates memory for these requirements.
     #[must_use]
     pub fn with(requirements: &Requirements) -> OwnedMemory {
         let lines = requirements.arena_bytes() / size_of::<Line>();
         OwnedMemory(bytemuck::zeroed_vec(lines))
     }
 
-    /// Lends all of it.
+    /// Lends all of the memory.
     pub fn lend(&mut self) -> Memory<'_> {
         Memory::of_arena(bytemuck::cast_slice_mut(&mut self.0))
     }

@@ -1,48 +1,48 @@
-//! How much memory a scene needs, array by array.
+//! How much memory a scene needs for each array.
 use crate::layout::{Model, TABLE_WORDS};
 use crate::plan::Plan;
 use crate::plan::arrays::{Array, Class, Unit};
 use crate::validate::Checked;
 
-/// Words of the neighbour lists for each particle: one for its group's range, and two neighbours in each of the others. A
-/// group whose list does not fit searches its cells in each pass.
+/// Words of the neighbour lists per particle: one for the range of its group, and two neighbours in each of the others.
+/// A group whose list does not fit searches its cells in each pass.
 pub const LIST_WORDS: usize = 21;
 
-/// Words to which arrays in an arena are aligned: a cache line.
+/// Alignment of arrays in an arena, in words: a cache line.
 pub(super) const LINE_WORDS: usize = 16;
 
-/// What a scene has how many of.
+/// The counts that determine the lengths of arrays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// Particles, those of walls and the inactive ones of air too.
+    /// All particles, including wall particles and inactive air particles.
     pub particles: usize,
-    /// Cells; with air one more than the grid has, for inactive particles.
+    /// Number of cells; with air one more than the grid has, for inactive particles.
     pub cells: usize,
-    /// Ends of springs, two a spring.
+    /// Number of spring ends, two per spring.
     pub spring_ends: usize,
-    /// Particles of air that there can be.
+    /// Largest number of air particles.
     pub air: usize,
-    /// Nodes of the host's acceleration field.
+    /// Number of nodes of the acceleration field supplied by the caller.
     pub field_nodes: usize,
 }
 
 /// How much memory a scene needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Requirements {
-    /// Which arrays there are.
+    /// The model, which determines which arrays exist.
     model: Model,
-    /// And how long they are.
+    /// The counts, which determine how long the arrays are.
     pub counts: Counts,
 }
 
 impl Requirements {
-    /// Of a scene, by its own plan.
+    /// The requirements of a scene with its own plan.
     #[must_use]
     pub fn of(scene: &Checked<'_>) -> Requirements {
         Requirements::by_plan(scene, &Plan::of(scene))
     }
 
-    /// Of a scene by this plan of it.
+    /// The requirements of a scene with the given plan.
     #[must_use]
     pub fn by_plan(scene: &Checked<'_>, plan: &Plan) -> Requirements {
         let (model, derived) = (plan.model, scene.derived());
@@ -56,26 +56,26 @@ impl Requirements {
         Requirements { model, counts }
     }
 
-    /// Of this model, and so many of everything.
+    /// The requirements for the given model and counts.
     #[must_use]
     pub fn by_model(model: Model, counts: Counts) -> Requirements {
         Requirements { model, counts }
     }
 
-    /// The same for another number of particles.
+    /// The same requirements for another number of particles.
     #[must_use]
     pub fn for_particles(mut self, particles: usize) -> Requirements {
         self.counts.particles = particles;
         self
     }
 
-    /// Which arrays there are.
+    /// The model, which determines which arrays exist.
     #[must_use]
     pub fn model(&self) -> &Model {
         &self.model
     }
 
-    /// Entries of an array, if it exists.
+    /// Number of entries of an array; 0 if it does not exist.
     #[must_use]
     pub fn entries(&self, array: Array) -> usize {
         let Counts { particles, cells, spring_ends, air, field_nodes } = self.counts;
@@ -94,18 +94,18 @@ impl Requirements {
         }
     }
 
-    /// Copies of an array: 0, 1 or 2.
+    /// Number of copies of an array: 0, 1 or 2.
     #[must_use]
     pub fn copies(&self, array: Array) -> usize {
         array.copies(&self.model)
     }
 
-    /// Copies that have memory of their own: none of an array that lies in that of the neighbour lists.
+    /// Number of copies with memory of their own: 0 for an array that lies in the memory of the neighbour lists.
     fn own_copies(&self, array: Array) -> usize {
         if array.class() == Class::Sorting { 0 } else { self.copies(array) }
     }
 
-    /// Bytes of an array, all of its copies; none for one that shares those of the neighbour lists.
+    /// Bytes of all copies of an array; 0 for an array that lies in the memory of the neighbour lists.
     #[must_use]
     pub fn bytes_of(&self, array: Array) -> usize {
         self.own_copies(array).saturating_mul(self.entries(array)).saturating_mul(array.words() * size_of::<u32>())
@@ -117,14 +117,14 @@ impl Requirements {
         Array::ALL.iter().map(|&array| self.bytes_of(array)).fold(0, usize::saturating_add)
     }
 
-    /// Bytes that an array takes of an arena, where each copy begins at a cache line.
+    /// Bytes of all copies of an array in an arena, where each copy starts at a cache line.
     pub(super) fn arena_bytes_of(&self, array: Array) -> usize {
         let line = LINE_WORDS * size_of::<u32>();
         let copy = self.entries(array).saturating_mul(array.words() * size_of::<u32>());
         self.own_copies(array).saturating_mul(copy.div_ceil(line).saturating_mul(line))
     }
 
-    /// Bytes of an arena that holds everything.
+    /// Bytes of an arena that holds all arrays.
     #[must_use]
     pub fn arena_bytes(&self) -> usize {
         Array::ALL.iter().map(|&array| self.arena_bytes_of(array)).fold(0, usize::saturating_add)

@@ -1,17 +1,18 @@
-//! Memory as preallocated static arrays, to be lent to the solver.
+//! Memory as preallocated static arrays that are lent to the solver.
 //!
-//! [`Storage`] and [`Arena`] are all zero, so as a `static` they lie in .bss and cost the binary nothing. The solver
-//! itself only sees slices of any origin, and so is compiled once for every capacity.
+//! [`Storage`] and [`Arena`] are initialised with zeros, so as a `static` they lie in .bss and add nothing to the size
+//! of the binary. The solver itself only receives slices, wherever they come from, and is therefore compiled once for
+//! all capacities.
 use super::lend::Memory;
 use super::requirements::{LIST_WORDS, Requirements};
 use crate::layout::f32x4;
 use crate::plan::arrays::Array;
 
-/// Memory for `N` particles and `CELLS` cells, with `PLACES` places a cell for cell lists (0, the default, for the
-/// index sort): the arrays that every scene has, by name. What only some choices need comes from an [`Arena`] beside
-/// it.
+/// Memory for `N` particles and `CELLS` cells, with `PLACES` places per cell for cell lists (0, the default, for the
+/// index sort). It contains by name the arrays that every scene has. Arrays that only some features need come from an
+/// additional [`Arena`].
 ///
-/// As a `static`, or made by `Storage::boxed`, it never meets the stack, which a large one would overflow.
+/// As a `static`, or allocated by `Storage::boxed`, it is never on the stack, which a large one would overflow.
 ///
 /// ```
 /// use millpond_core::Storage;
@@ -34,7 +35,7 @@ pub struct Storage<const N: usize, const CELLS: usize, const PLACES: usize = 0> 
     cell_start: [u32; CELLS],
 }
 
-/// The arrays that a storage has by name.
+/// The arrays that a storage contains by name.
 const NAMED: [Array; 10] = [
     Array::position,
     Array::velocity,
@@ -49,7 +50,8 @@ const NAMED: [Array; 10] = [
 ];
 
 impl<const N: usize, const CELLS: usize, const PLACES: usize> Storage<N, CELLS, PLACES> {
-    /// All zero: for a `static`. On the heap take `Storage::boxed`, since a value of this size is no good on the stack.
+    /// A storage of zeros, for a `static`. On the heap use `Storage::boxed`, since a value of this size does not fit on
+    /// the stack.
     #[must_use]
     #[expect(clippy::new_without_default, reason = "a default would be made on the stack")]
     pub const fn new() -> Self {
@@ -67,7 +69,7 @@ impl<const N: usize, const CELLS: usize, const PLACES: usize> Storage<N, CELLS, 
         }
     }
 
-    /// All zero, on the heap, without ever having been on the stack.
+    /// A storage of zeros on the heap. It is never on the stack.
     ///
     /// ```
     /// use millpond_core::Storage;
@@ -80,7 +82,7 @@ impl<const N: usize, const CELLS: usize, const PLACES: usize> Storage<N, CELLS, 
         bytemuck::zeroed_box()
     }
 
-    /// Lends all of it.
+    /// Lends all of the memory.
     pub fn lend(&mut self) -> Memory<'_> {
         fn each<T, const M: usize, const COPIES: usize>(
             copies: &mut [[T; M]; COPIES],
@@ -101,8 +103,8 @@ impl<const N: usize, const CELLS: usize, const PLACES: usize> Storage<N, CELLS, 
     }
 }
 
-/// Memory for all arrays that a scene has beside those of a [`Storage`], or for all of them:
-/// [`Requirements`](super::Requirements) say how many bytes.
+/// Memory for all arrays that a scene needs in addition to those of a [`Storage`], or for all arrays.
+/// [`Requirements`](super::Requirements) give the number of bytes.
 ///
 /// ```
 /// use millpond_core::{Arena, Storage};
@@ -115,28 +117,28 @@ impl<const N: usize, const CELLS: usize, const PLACES: usize> Storage<N, CELLS, 
 pub struct Arena<const BYTES: usize>([u8; BYTES]);
 
 impl<const BYTES: usize> Arena<BYTES> {
-    /// All zero: for a `static`.
+    /// An arena of zeros, for a `static`.
     #[must_use]
     #[expect(clippy::new_without_default, reason = "a default would be made on the stack")]
     pub const fn new() -> Self {
         Arena([0; BYTES])
     }
 
-    /// All zero, on the heap, without ever having been on the stack.
+    /// An arena of zeros on the heap. It is never on the stack.
     #[cfg(feature = "alloc")]
     #[must_use]
     pub fn boxed() -> alloc::boxed::Box<Self> {
         bytemuck::zeroed_box()
     }
 
-    /// Lends all of it, for a scene that needs no [`Storage`].
+    /// Lends all of the memory, for use without a [`Storage`].
     pub fn lend(&mut self) -> Memory<'_> {
         Memory::of_arena(&mut self.0)
     }
 }
 
 impl<'m> Memory<'m> {
-    /// The same, with all that has no name in an arena.
+    /// Adds an arena for all arrays that are not lent by name.
     #[must_use]
     pub fn with_arena<const BYTES: usize>(self, arena: &'m mut Arena<BYTES>) -> Memory<'m> {
         self.with_arena_bytes(&mut arena.0)
@@ -144,7 +146,8 @@ impl<'m> Memory<'m> {
 }
 
 impl Requirements {
-    /// Bytes of an arena beside a [`Storage`] with places for this scene's cell lists, where it has any.
+    /// Bytes of the arena needed in addition to a [`Storage`] whose number of places per cell is that of the scene's
+    /// cell lists.
     #[must_use]
     pub fn arena_bytes_beside_storage(&self) -> usize {
         let optional = Array::ALL.iter().filter(|array| !NAMED.contains(array));

@@ -1,4 +1,4 @@
-//! The arrays of a simulation as slices, made from the table of arrays. What a scene does without has no entries.
+//! The arrays of a simulation as slices, generated from the table of arrays. An unused array is empty.
 use super::lend::{Lender, Memory};
 use super::requirements::{LIST_WORDS, Requirements};
 use crate::error::SceneError;
@@ -8,33 +8,36 @@ use crate::plan::arrays::{Array, with_arrays};
 macro_rules! views {
     (
         State { $($(#[$state_doc:meta])* $state:ident as $quantity:ident: $state_type:ident per $state_unit:ident,
-            if $state_exists:expr $(, constant if $constant:expr)? $(, from $state_from:ident $(@ $state_side:ident)?)?;)* }
-        Index { $($(#[$index_doc:meta])* $index:ident: $index_type:ident per $index_unit:ident, if $index_exists:expr;)* }
+            if $state_exists:expr $(, constant if $constant:expr)?
+            $(, from $state_from:ident $(@ $state_side:ident)?)?;)* }
+        Index { $($(#[$index_doc:meta])* $index:ident: $index_type:ident per $index_unit:ident,
+            if $index_exists:expr;)* }
         Sorting { $($(#[$sorting_doc:meta])* $sorting:ident: $sorting_type:ident per $sorting_unit:ident,
             if $sorting_exists:expr;)* }
         Scratch { $($(#[$scratch_doc:meta])* $scratch:ident: $scratch_type:ident per $scratch_unit:ident,
             if $scratch_exists:expr $(, from $from:ident $(@ $side:ident)?)?;)* }
-        Given { $($(#[$given_doc:meta])* $given:ident: $given_type:ident per $given_unit:ident, if $given_exists:expr;)* }
+        Given { $($(#[$given_doc:meta])* $given:ident: $given_type:ident per $given_unit:ident,
+            if $given_exists:expr;)* }
     ) => {
         view! {
-            /// The arrays of one state. A step reads one and writes the other.
+            /// The arrays of one state. A step reads one state and writes the other.
             State { $($(#[$state_doc])* $state: $state_type,)* $($(#[$index_doc])* $index: $index_type,)* }
         }
         view! {
-            /// What a step works in and forgets.
+            /// Arrays used only within a step.
             Scratch { $($(#[$scratch_doc])* $scratch: $scratch_type,)* }
         }
         view! {
-            /// What steps only read.
+            /// Arrays that steps only read.
             Given { $($(#[$given_doc])* $given: $given_type,)* }
         }
 
-        /// What a step works in until the particles are sorted, in the memory of the neighbour lists, which are made
-        /// after that.
+        /// Arrays used by a step until the particles are sorted. They lie in the memory of the neighbour lists, which
+        /// are made afterwards.
         #[derive(Debug)]
         pub(crate) struct Sorting<'s> { $($(#[$sorting_doc])* pub $sorting: &'s mut [$sorting_type],)* }
 
-        /// The same, by their names.
+        /// The sorting arrays by name.
         const SORTING: &[Array] = &[$(Array::$sorting),*];
 
         const _: () = assert!(
@@ -43,7 +46,7 @@ macro_rules! views {
         );
 
         impl<'s> Sorting<'s> {
-            /// Its arrays in this memory.
+            /// Places the arrays in this memory.
             pub(crate) fn of(lists: &'s mut [u32], particles: usize) -> Sorting<'s> {
                 let mut rest = lists;
                 Sorting { $($sorting: {
@@ -52,7 +55,7 @@ macro_rules! views {
                 },)* }
             }
 
-            /// An array as words of four bytes; empty for one that is not among these.
+            /// An array as words of four bytes; empty for an array that does not belong to this view.
             pub(crate) fn words(&self, array: Array) -> &[u32] {
                 match array {
                     $(Array::$sorting => bytemuck::cast_slice(self.$sorting),)*
@@ -62,7 +65,7 @@ macro_rules! views {
         }
 
         impl State<'_> {
-            /// Hands the arrays that a scene never changes, of which there is one copy, from one state to the other.
+            /// Swaps with the other state those arrays that a scene never changes, and of which there is only one copy.
             pub(crate) fn pass_on_constants(&mut self, other: &mut Self, model: &Model) {
                 $(if Array::$state.copies(model) == 1 {
                     core::mem::swap(&mut self.$state, &mut other.$state);
@@ -79,12 +82,12 @@ macro_rules! view {
         pub struct $view<'m> { $($(#[$field_doc])* pub $name: &'m mut [$type],)* }
 
         impl<'m> $view<'m> {
-            /// Takes copy 0 or 1 of each of its arrays.
+            /// Takes copy 0 or 1 of each array of this view.
             pub(super) fn carve(lender: &mut Lender<'m, '_>, copy: usize) -> Result<Self, SceneError> {
                 Ok($view { $($name: lender.take(Array::$name, copy)?,)* })
             }
 
-            /// An array as words of four bytes; empty for one that is not among these.
+            /// An array as words of four bytes; empty for an array that does not belong to this view.
             #[must_use]
             pub fn words(&self, array: Array) -> &[u32] {
                 match array {
@@ -93,7 +96,7 @@ macro_rules! view {
                 }
             }
 
-            /// The same, to be written.
+            /// An array as mutable words of four bytes; empty for an array that does not belong to this view.
             pub(crate) fn words_mut(&mut self, array: Array) -> &mut [u32] {
                 match array {
                     $(Array::$name => bytemuck::cast_slice_mut(self.$name),)*
@@ -106,30 +109,31 @@ macro_rules! view {
 
 with_arrays!(views);
 
-/// All of them.
+/// All arrays of a simulation.
 #[derive(Debug)]
 pub struct Arrays<'m> {
     /// The two states.
     pub states: [State<'m>; 2],
-    /// What a step works in and forgets.
+    /// Arrays used only within a step.
     pub scratch: Scratch<'m>,
-    /// What steps only read.
+    /// Arrays that steps only read.
     pub given: Given<'m>,
-    /// Words of the neighbour lists that a step may use as such.
+    /// Number of words of the neighbour lists that a step may use for lists.
     pub(crate) list_words: usize,
 }
 
 const _: () = assert!(matches!(SORTING[0], Array::source_slot), "`Scratch::source_slot` looks for it there");
 
 impl Scratch<'_> {
-    /// Slot before the step of each of so many slots after it, until lists are made.
+    /// For each of the first `particles` slots after the step, the particle's slot before the step. Valid until
+    /// neighbour lists are made.
     pub(crate) fn source_slot(&self, particles: usize) -> &[u32] {
         self.neighbours.get(..particles).unwrap_or_default()
     }
 }
 
 impl<'m> Memory<'m> {
-    /// The arrays of a simulation with these requirements.
+    /// Divides the memory into the arrays of a simulation with these requirements.
     pub(crate) fn carve(self, requirements: &Requirements) -> Result<Arrays<'m>, SceneError> {
         let mut lender = self.lender(requirements);
         Ok(Arrays {

@@ -1,6 +1,7 @@
-//! Loops over pairs are compiled more than once at each level: for several kinds of scene, of which the compiler then knows most of
-//! the model, and for all others. Each is a function of its own: unoptimised, all in one would take more stack than a thread of a host
-//! may have.
+//! Selects the compiled variant of a loop over pairs. At each SIMD level such a loop is compiled several times: for
+//! common kinds of scene, for which the compiler then knows most of the model as constants ([`Known`]), and once for
+//! all other scenes. Each variant is a separate function. In unoptimised builds one function with all variants would
+//! need more stack than a thread of the caller may have.
 use super::context::Setup;
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::level::Work;
@@ -8,14 +9,15 @@ use crate::plan::known::Known;
 
 /// A job of a loop over pairs.
 pub(crate) trait PairJob<'a> {
-    /// The constants of its step.
+    /// Returns the constants of the step.
     fn setup(&self) -> Setup<'a>;
 
-    /// Does it by these constants, which are those of the step. `#[inline(always)]`, as for [`Work`].
+    /// Runs the job with these constants, which are equal to those of the step. Must be `#[inline(always)]`, as for
+    /// [`Work`].
     fn run_by<R: Lanes>(&mut self, setup: &Setup<'_>);
 }
 
-/// Does a job, by the most that is known of its model.
+/// Runs a job with the variant that knows most about its model.
 #[inline(always)]
 pub(crate) fn run<'a>(job: &mut impl PairJob<'a>) {
     let Setup { simd, model, .. } = job.setup();
@@ -27,14 +29,15 @@ pub(crate) fn run<'a>(job: &mut impl PairJob<'a>) {
     }
 }
 
-/// Does a job with nothing known: for passes that few scenes have.
+/// Runs a job with the general variant: for passes that few scenes use.
 #[inline(always)]
 pub(crate) fn run_general<'a>(job: &mut impl PairJob<'a>) {
     let simd = job.setup().simd;
     simd.run(By::<_, { Known::Nothing as usize }>(job));
 }
 
-/// Does a job by one material, or with nothing known: for passes that few scenes have, and that must be fast in the plainest of these.
+/// Runs a job with the variant for one material if it applies, else with the general one: for passes that few scenes
+/// use, but that must be fast in the simplest of these scenes.
 #[inline(always)]
 pub(crate) fn run_one_material_or_general<'a>(job: &mut impl PairJob<'a>) {
     let Setup { simd, model, .. } = job.setup();
@@ -44,14 +47,14 @@ pub(crate) fn run_one_material_or_general<'a>(job: &mut impl PairJob<'a>) {
     }
 }
 
-/// A job, by what is known of its model: that number of [`Known::ALL`].
+/// A job to be run with variant number `KNOWN` of [`Known::ALL`].
 struct By<'j, J, const KNOWN: usize>(&'j mut J);
 
 impl<'a, J: PairJob<'a>, const KNOWN: usize> Work for By<'_, J, KNOWN> {
     #[inline(always)]
     fn run<R: Lanes>(self) {
         let setup = self.0.setup();
-        // copies of this function's own, so that the compiler sees that nothing changes them
+        // local copies, so that the compiler sees that nothing changes them
         let model = const { Known::ALL[KNOWN] }.in_model(setup.model);
         let parameters = *setup.parameters;
         self.0.run_by::<R>(&Setup { model: &model, parameters: &parameters, ..setup });

@@ -1,5 +1,5 @@
-//! Who may be a neighbour of a cell's particles: all in the cells around it, coordinate by coordinate, so that lanes
-//! can try them.
+//! The candidates of a cell: all particles in the cell and in the cells around it, among which its neighbours are. Each
+//! coordinate has its own array, so that lanes can test several candidates at once.
 use crate::arithmetic::codes::MOST_LANES;
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::real::{less, real, vec3};
@@ -9,16 +9,16 @@ use crate::passes::lists::ROOM;
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use core::ops::Range;
 
-/// Most candidates of a cell; one with more is not listed.
+/// Largest number of candidates of a cell. Particles of a cell with more are not listed.
 const MOST: usize = 1024;
 
-/// Room beyond the last candidate, for lanes that are not all in use.
+/// Spare entries after the last candidate, for lanes that are not all in use.
 const SPARE: usize = MOST_LANES;
 
-/// Where the lanes that are not in use are: no distance from there is small.
+/// The x coordinate of unused entries. No position there is within a support radius.
 const FAR: f32 = f32::INFINITY;
 
-/// The candidates of a cell, in the order of the sums.
+/// The candidates of a cell, in the order in which sums are added up.
 #[repr(align(64))]
 pub(crate) struct Candidates {
     x: [f32; MOST + SPARE],
@@ -31,7 +31,7 @@ pub(crate) struct Candidates {
 }
 
 impl Candidates {
-    /// None.
+    /// Returns an empty set.
     pub(crate) fn none() -> Candidates {
         let empty = [0.0; MOST + SPARE];
         Candidates {
@@ -45,18 +45,19 @@ impl Candidates {
         }
     }
 
-    /// Forgets all.
+    /// Removes all candidates.
     pub(crate) fn clear(&mut self) {
         self.count = 0;
         self.is_complete = false;
     }
 
-    /// Are all of a cell among them?
+    /// Returns whether all candidates of the cell are in the set.
     pub(crate) fn are_complete(&self) -> bool {
         self.is_complete
     }
 
-    /// Adds a run of slots, whose codes are so much larger. False where there is no room.
+    /// Adds a run of slots. `shift` is the wrapping difference between code and slot. Returns false if there is no
+    /// room.
     #[inline(always)]
     pub(crate) fn add<R: Lanes>(&mut self, position: &[f32x4], support: &[f32], run: Range<usize>, shift: u32) -> bool {
         let (first, count) = (self.count, run.len());
@@ -65,7 +66,7 @@ impl Candidates {
         }
         for offset in (0..count).step_by(R::LANES) {
             let (from, to) = (run.start + offset, first + offset);
-            // what is beyond the run is overwritten by the next one
+            // entries beyond the run are overwritten by the next run
             let [x, y, z, _] = match position.get(from..from + R::LANES) {
                 Some(rows) => R::load(|lane| &rows[lane]),
                 None => R::load(|lane| &position[(from + lane).min(position.len() - 1)]),
@@ -84,14 +85,14 @@ impl Candidates {
         true
     }
 
-    /// After the last run.
+    /// Completes the set after its last run.
     pub(crate) fn close(&mut self) {
         self.is_complete = true;
         self.x[self.count..self.count + SPARE].fill(FAR);
     }
 
-    /// Writes the codes and the `q^2` of the neighbours of a particle at `x` among the candidates from `first` on; returns how many
-    /// there are. Where it runs out of room, it returns how much that was.
+    /// Writes the codes and the values of `q^2` of all neighbours of a particle at `x`, taken from the candidates from
+    /// `first` on. Returns the number of neighbours, or [`ROOM`] if they do not fit.
     #[inline(always)]
     pub(crate) fn near<R: Lanes>(
         &self,

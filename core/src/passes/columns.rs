@@ -1,4 +1,4 @@
-//! What each material has of its own, column by column, so that lanes can look it up.
+//! The constants of materials, column by column, so that lanes can look them up in a register.
 use super::lanes::material_of;
 use crate::arithmetic::codes::FEW;
 use crate::arithmetic::lanes::Lanes;
@@ -6,23 +6,24 @@ use crate::arithmetic::real::{less, real, select};
 use crate::derive::material::{FIRST_BLOCK, FIRST_WALL};
 use crate::layout::{MaterialRows, Materials};
 
-/// A column of a table: one number of each material.
+/// A column of a table: one number per material in use.
 pub(crate) type Column = [f32; FEW];
 
-/// The columns of the materials that a scene has, side by side.
+/// The columns of the materials that a scene uses. Unused numbers of materials are left out.
 #[derive(Clone, Debug)]
 pub(crate) struct Columns {
     pub properties: [Column; 4],
     pub states: [Column; 4],
     pub corrections: [Column; 4],
-    /// Are all of the scene's materials in them?
+    /// Whether the columns hold all materials of the scene.
     pub hold_all: bool,
-    /// Numbers of materials that nothing has, between fluids and blocks, and between fluids and walls beside blocks.
+    /// How far the numbers of blocks, and those of walls, lie above their places in the columns. The difference is the
+    /// number of unused materials before them.
     gaps: [f32; 2],
 }
 
 impl Columns {
-    /// Of a scene with so many fluids, blocks and walls.
+    /// Builds the columns of a scene with this many fluids, blocks and walls.
     pub(crate) fn of(materials: &Materials, [fluids, blocks, walls]: [usize; 3]) -> Columns {
         let [first_block, first_wall] = [FIRST_BLOCK as usize, FIRST_WALL as usize];
         let in_use = (0..fluids).chain(first_block..first_block + blocks).chain(first_wall..first_wall + walls);
@@ -43,7 +44,7 @@ impl Columns {
         columns
     }
 
-    /// Where the materials of these kinds stand in the columns.
+    /// Returns the places of materials in the columns.
     #[inline(always)]
     pub(crate) fn places<R: Lanes>(&self, material: R) -> R {
         let [of_blocks, of_walls] = self.gaps;
@@ -52,7 +53,7 @@ impl Columns {
     }
 }
 
-/// Number `i` of the rows of these kinds.
+/// Returns number `i` of the constants of materials, without the columns.
 #[inline(always)]
 pub(crate) fn of_materials<R: Lanes>(rows: &MaterialRows, material: R, i: usize) -> R {
     R::from_lanes(|lane| rows[material_of(material.lane(lane))][i])

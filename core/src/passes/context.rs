@@ -1,11 +1,12 @@
-//! What every pass is given, and what it finds.
+//! The input that every pass gets, and the results that passes record about a step as a whole.
 use super::columns::Columns;
 use crate::arithmetic::level::Simd;
 use crate::layout::{Materials, Model, Parameters, Status, StepUniform, Tables, f32x4};
 use crate::memory::{Given, Scratch, State};
 use crate::plan::schedule::Command;
 
-/// The arrays of a step that sort its particles: a macro, since a function would borrow all of the memory that a step works in.
+/// Returns the arrays that a step uses to sort its particles. This is a macro because a function would borrow all
+/// scratch memory of the step.
 macro_rules! sorting {
     ($step:ident) => {
         $crate::memory::Sorting::of(&mut *$step.scratch.neighbours, $step.old.id.len())
@@ -19,7 +20,7 @@ pub(crate) struct Setup<'a> {
     pub model: &'a Model,
     pub parameters: &'a Parameters,
     pub materials: &'a Materials,
-    /// The same, of those that the scene has, column by column.
+    /// Constants of the materials that the scene uses, column by column, for lookup in lanes.
     pub columns: &'a Columns,
     pub uniform: &'a StepUniform,
     pub tables: &'a Tables,
@@ -27,7 +28,7 @@ pub(crate) struct Setup<'a> {
     pub simd: Simd,
 }
 
-/// A step that is being made: `new` from `old`, which stays as it is.
+/// A step in progress. It writes the state `new`, and reads the state `old`, which stays unchanged.
 pub(crate) struct Step<'s, 'm, E> {
     pub setup: Setup<'s>,
     pub executor: &'s E,
@@ -35,30 +36,30 @@ pub(crate) struct Step<'s, 'm, E> {
     pub new: &'s mut State<'m>,
     pub scratch: &'s mut Scratch<'m>,
     pub given: &'s Given<'m>,
-    /// Words of the neighbour lists that may be used.
+    /// Number of words of the neighbour lists that may be used.
     pub list_words: usize,
     pub found: Found,
     /// The command that is being carried out.
     pub command: Command,
 }
 
-/// What the passes of a step have found so far.
+/// Results that the passes of a step have recorded so far.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Found {
-    /// What is wrong, if anything.
+    /// The errors found, if any.
     pub status: Status,
-    /// Iterations of pressure.
+    /// Number of iterations of the pressure solver.
     pub iterations: u32,
-    /// Largest density miss of the last one, over the rest density.
+    /// Largest density error of the last iteration, over the rest density.
     pub residual: f32,
-    /// Was that good enough?
+    /// Whether the pressure iteration has converged.
     pub converged: bool,
-    /// Air that was wanted and for which no particle was left.
+    /// Number of spawn requests for air that were refused, because no inactive particle was left.
     pub refused: u32,
     pub maxima: Maxima,
 }
 
-/// The largest of what limits the next time step; all 0 where nothing follows from them.
+/// The maxima that limit the next time step. All are 0 if the time step is fixed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Maxima {
     /// Squared speed, (m/s)^2.
@@ -70,7 +71,7 @@ pub(crate) struct Maxima {
 }
 
 impl Found {
-    /// Nothing yet, after `steps` steps.
+    /// Returns the empty result of a step that follows `steps` earlier steps.
     pub(crate) fn nothing(steps: u32) -> Found {
         let status = Status::fine(steps);
         Found { status, iterations: 0, residual: 0.0, converged: false, refused: 0, maxima: Maxima::default() }
@@ -79,7 +80,7 @@ impl Found {
 
 impl Maxima {
     pub(crate) fn and(self, other: Maxima) -> Maxima {
-        // none of them is NaN where it counts: a step with one fails
+        // `max` drops NaN, which does no harm: a step that computes NaN fails
         Maxima {
             speed2: self.speed2.max(other.speed2),
             acceleration2: self.acceleration2.max(other.acceleration2),

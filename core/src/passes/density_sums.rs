@@ -1,16 +1,17 @@
-//! What a neighbour adds to the sums that density, near pressure and volumes come from.
+//! The contribution of a neighbour to the sums from which density, near pressure and volume follow.
 use super::context::Setup;
 use crate::arithmetic::real::{Real, real};
 use crate::terms::density::{number_density_neighbour, summed_neighbour};
 use crate::terms::near::{DOUBLE_DENSITY, near_density_neighbour};
 
-/// What a neighbour of this mass adds to the sums of density, of the near density and of the number density; the last is 0.
+/// Returns the contributions of a neighbour with this mass to the sums of density, near density and number density. The
+/// fourth number is 0.
 #[inline(always)]
 pub(crate) fn of_neighbour<R: Real>(setup: &Setup<'_>, mass: R, q2: R, scale: R) -> [R; 4] {
     beside(setup, summed_neighbour(setup.model, setup.tables, mass, q2, scale), mass, q2, scale)
 }
 
-/// The same where what it adds to the first of them is known.
+/// Returns the same four numbers as [`of_neighbour`], with the first one given as `sum`.
 #[inline(always)]
 pub(crate) fn beside<R: Real>(setup: &Setup<'_>, sum: R, mass: R, q2: R, scale: R) -> [R; 4] {
     let (m, t) = (setup.model, setup.tables);

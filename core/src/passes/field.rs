@@ -1,14 +1,15 @@
-//! The host's field of accelerations at a position: linear between the nodes around it, no node outside the lattice.
+//! The acceleration field supplied by the caller: linear interpolation between the nodes of a lattice around a
+//! position. Outside the lattice there are no nodes, and the field falls to zero within one spacing.
 use super::context::Setup;
 use crate::arithmetic::real::{Real, floor, larger, real, smaller, vec3};
 use crate::terms::external::{field_place, field_share};
 
-/// The field where particles are, m/s2.
+/// Returns the field at the positions of particles, m/s2.
 #[inline(always)]
 pub(crate) fn at<R: Real>(setup: &Setup<'_>, position: vec3<R>) -> vec3<R> {
     let (m, p) = (setup.model, setup.parameters);
     let place = field_place(p, position);
-    // beyond the lattice one node is as absent as another
+    // clamping does not change the result, since no position outside the lattice has nodes; it keeps the indices small
     let least = |x: R, points: u32| smaller(larger(floor(x), real(-2.0)), real(points as f32));
     let [nx, ny, nz, _] = p.field_counts;
     let first = vec3(least(place.x, nx), least(place.y, ny), least(place.z, if m.is_3d == 1 { nz } else { 0 }));

@@ -1,5 +1,7 @@
-//! Receivers side by side, and the walk over their neighbours: from the lists, or where those did not fit by a search
-//! of the cells.
+//! Groups of receivers, and the walk over their neighbours. A group here is as many receivers as fit side by side into
+//! the lanes: each receiver takes a block of lanes, and each lane of the block holds another of its neighbours. The
+//! neighbours come from the lists (`lists.rs`). Where the lists of a group did not fit, they come from a search of the
+//! cells.
 use super::context::Setup;
 use super::lanes::is_wall;
 use super::lists::{CHUNK, GROUP, Listed, Lists};
@@ -12,8 +14,8 @@ use crate::layout::f32x4;
 use crate::terms::pair::{Local, pair_scale, separation, squared_ratio};
 use crate::terms::wall::MIRRORED;
 
-/// What the search of a group's cells needs. The search is not compiled into the loops, so it gets the constants of the
-/// whole step: were it handed a reference to a loop's own copy, the compiler could not take that for constant any more.
+/// Input of the cell search. The search is a separate function, so it gets the constants of the whole step. A reference
+/// to a loop's own copy would keep the compiler from treating that copy as constant.
 #[derive(Clone, Copy)]
 pub(crate) struct Surroundings<'a> {
     pub setup: Setup<'a>,
@@ -21,7 +23,8 @@ pub(crate) struct Surroundings<'a> {
     pub cells: Cells<'a>,
 }
 
-/// As many particles, side by side from `first` on, as the lanes hold receivers.
+/// A group of receivers: the particles in slots `first ..= last`. There are at most as many as the lanes hold
+/// receivers.
 #[derive(Clone, Copy)]
 pub(crate) struct Group<'a> {
     pub setup: &'a Setup<'a>,
@@ -32,10 +35,14 @@ pub(crate) struct Group<'a> {
     pub last: usize,
 }
 
-/// Folds what the neighbours of a group add: four sums a receiver, each in the order of its neighbours, in all of the
-/// receiver's lanes. Where a particle `adds nothing to itself`, but zeros, the lanes that hold no pair need no mask.
+/// Sums the contributions of all neighbours of a group. Each receiver has four sums. Each sum is added up in the order
+/// of the receiver's neighbours, and the result is returned in all lanes of the receiver.
 ///
-/// A macro, since a closure cannot be told to be compiled into its caller, at its caller's SIMD level.
+/// Lanes that hold no pair hold the receiver itself as its own neighbour, and are masked to zero. With `adds nothing to
+/// itself` the caller states that the contribution of a particle to itself is zero, so no mask is needed.
+///
+/// This is a macro because a closure cannot be forced to be inlined into its caller and compiled at the caller's SIMD
+/// level.
 macro_rules! fold {
     ($group:ident: $R:ident, |$slots:ident| $parts:expr) => {
         $crate::passes::group::fold!(@ $group: $R, true, |$slots| $parts)
@@ -45,7 +52,7 @@ macro_rules! fold {
     };
     (@ $group:ident: $R:ident, $is_masked:literal, |$slots:ident| $parts:expr) => {{
         let mut sums = <$R>::nothing();
-        // apart from the walk, which would have to lie in memory with them
+        // separate from the walk: the search takes their address, which would keep the whole walk in memory
         let mut cursors = $crate::passes::group::Cursors::default();
         let mut slots = $crate::arithmetic::lanes::Slots::first($group.particles.position.len());
         let mut walk = $crate::passes::group::Walk::<$R>::of($group, &mut slots);
@@ -60,52 +67,54 @@ macro_rules! fold {
 pub(crate) use fold;
 
 impl Group<'_> {
-    /// What the pair terms know of the receivers.
+    /// Returns the data of the receivers that the pair terms use.
     #[inline(always)]
     pub(crate) fn receivers<R: Lanes>(&self) -> Local<R> {
         self.particles.receivers(self.setup, self.first, self.last)
     }
 
-    /// And of the neighbours in the lanes.
+    /// Returns the data of the neighbours in the lanes that the pair terms use.
     #[inline(always)]
     pub(crate) fn neighbours<R: Lanes>(&self, slots: &Slots) -> Local<R> {
         self.particles.neighbours(self.setup, slots)
     }
 
-    /// Four numbers of the receivers, each in all of its lanes.
+    /// Loads one row of four numbers per receiver. Each number is returned in all lanes of its receiver.
     #[inline(always)]
     pub(crate) fn spread<R: Lanes>(&self, rows: &[f32x4]) -> [R; 4] {
         spread(rows, self.first, self.last)
     }
 
-    /// Are all of them walls', or inactive? Nothing acts on those.
+    /// Returns whether all receivers are wall particles or inactive. These have no acceleration, so a pass can skip the
+    /// group.
     #[inline(always)]
     pub(crate) fn are_walls(&self) -> bool {
         self.particles.are_walls(self.setup, self.first, self.last)
     }
 }
 
-/// Where the search of each receiver's cells stands: its run, and the slot in it.
+/// Position of the cell search for each receiver: the index of the run of slots, and the slot in that run.
 pub(crate) type Cursors = [(usize, usize); GROUP];
 
-/// A walk over the neighbours of a group.
+/// An iteration over the neighbours of a group, as many at a time as fit into the lanes.
 pub(crate) struct Walk<'a, R> {
     surroundings: &'a Surroundings<'a>,
     first: usize,
     last: usize,
-    /// The codes from the group's first receiver on.
+    /// The lists of the group, with the codes from its first receiver on. `None` if the group is not listed.
     listed: Option<Listed<'a>>,
-    /// Those after the ones that are ready.
+    /// Index of the first code that is not decoded yet.
     next: usize,
-    /// Are any ready?
+    /// Whether the next neighbours are decoded already.
     is_ready: bool,
-    /// How many neighbours of each receiver came before those in the lanes, and how many there are of each.
+    /// Number of neighbours of each receiver that came before those in the lanes, and the total number of its
+    /// neighbours. In a cell search they are 0 and the number of neighbours in the lanes.
     before: usize,
     count: R,
 }
 
 impl<'a, R: Lanes> Walk<'a, R> {
-    /// From the first neighbours on.
+    /// Starts at the first neighbours of a group.
     #[inline(always)]
     pub(crate) fn of(group: &Group<'a>, slots: &mut Slots) -> Self {
         let receiver = group.first % GROUP;
@@ -122,12 +131,14 @@ impl<'a, R: Lanes> Walk<'a, R> {
         walk
     }
 
-    /// Goes on to the next neighbours; false where there are none. Their slots were made ready while the ones before
-    /// were worked on: a processor does not look far enough ahead to do so by itself.
+    /// Advances to the next neighbours. Returns false if there are none. The slots of the next neighbours are decoded
+    /// while the caller still works on the previous ones, because the processor does not look far enough ahead to
+    /// overlap the two by itself.
     #[inline(always)]
     pub(crate) fn next(&mut self, slots: &mut Slots, cursors: &mut Cursors) -> bool {
         if self.is_ready {
-            // a chunk after the other, or the places of a receiver in them
+            // with four neighbours per receiver, go from chunk to chunk; with one, take the receiver's four codes of a
+            // chunk first
             self.before = self.next / CHUNK * GROUP + self.next % GROUP;
             self.next +=
                 if self.next % GROUP + R::NEIGHBOURS == GROUP { CHUNK + R::NEIGHBOURS - GROUP } else { R::NEIGHBOURS };
@@ -145,7 +156,7 @@ impl<'a, R: Lanes> Walk<'a, R> {
         true
     }
 
-    /// Makes the slots of the next neighbours ready, if there are any.
+    /// Decodes the slots of the next neighbours, if there are any.
     #[inline(always)]
     fn prepare(&mut self, slots: &mut Slots) {
         self.is_ready = false;
@@ -156,7 +167,7 @@ impl<'a, R: Lanes> Walk<'a, R> {
         }
     }
 
-    /// Zeros in the lanes that hold no pair.
+    /// Sets the contributions of lanes that hold no pair to zero.
     #[inline(always)]
     pub(crate) fn listed(&self, parts: [R; 4]) -> [R; 4] {
         let place = R::from_lanes(|lane| (lane % R::NEIGHBOURS) as f32) + self.before as f32;
@@ -164,20 +175,20 @@ impl<'a, R: Lanes> Walk<'a, R> {
     }
 }
 
-/// Zeros where the mask does not hold.
+/// Sets lanes for which the mask is false to zero.
 #[inline(always)]
 pub(crate) fn masked<R: Lanes>([x, y, z, w]: [R; 4], mask: R::Mask) -> [R; 4] {
     let none = real(0.0);
     [select(none, x, mask), select(none, y, mask), select(none, z, mask), select(none, w, mask)]
 }
 
-/// The next neighbours of each receiver.
+/// The next neighbours of each receiver and their number, as found by the cell search.
 struct Found {
     slots: [u32; MOST_LANES],
     counts: [usize; GROUP],
 }
 
-/// Finds the next few neighbours of each receiver in its cells; nothing where none is left.
+/// Finds the next neighbours of each receiver in the cells around it. Returns `None` if there are no more.
 #[cold]
 #[inline(never)]
 fn search(

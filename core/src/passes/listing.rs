@@ -1,5 +1,12 @@
-//! Finding neighbours: cell by cell the candidates are gathered once, tried by each particle of the cell, and those
-//! that are near are listed, group by group.
+//! The neighbour search, which fills the lists. A job walks the cells of its particles. For each cell it gathers the
+//! candidates once: the particles of that cell and of the cells around it. Then it computes the distance of each
+//! particle of the cell to all candidates, and keeps those within the support radius. When four consecutive particles,
+//! a group, are done, their neighbours are stored in the lists (`lists.rs`).
+//!
+//! A neighbour is stored as a 16-bit code: the number of a window of consecutive slots, and a place in that window. All
+//! codes of a group refer to the same set of windows. A group is not listed if one of its particles has too many
+//! neighbours or candidates, if its codes would need two sets of windows, or if the memory of the lists is full. Such a
+//! group searches its cells in every pass.
 use super::by_model::PairJob;
 use super::candidates::Candidates;
 use super::context::Setup;
@@ -15,46 +22,47 @@ use crate::layout::f32x4;
 use crate::terms::wall::MIRRORED;
 use core::ops::Range;
 
-/// What else is done with the neighbours of a group while their distances are at hand.
+/// Work that a pass does on the neighbours of each group while their distances are known. The density pass computes
+/// densities in this way.
 pub(crate) trait Visit: Sync + Sized {
-    /// Does a job: see [`PairPass::work`](super::pairs::PairPass::work).
+    /// Runs a job: see [`PairPass::work`](super::pairs::PairPass::work).
     fn work(job: &mut Job<'_, Self>);
 
-    /// Fills the entries of some particles of a group, of which `near` has all neighbours.
+    /// Fills the entries `own` of the particles of `group`; `near` holds all their neighbours.
     fn visit<R: Lanes>(&self, group: &Group<'_>, near: &Near, own: &mut [f32x4]);
 
-    /// The same where there were too many of them to keep.
+    /// Fills the entries of a group with too many neighbours to store; it has to search its cells.
     fn search<R: Lanes>(&self, group: &Group<'_>, own: &mut [f32x4]);
 
-    /// Fills the entries of particles that are not there.
+    /// Fills the entries of inactive particles.
     fn absent(&self, setup: &Setup<'_>, own: &mut [f32x4]);
 }
 
-/// The neighbours of a group.
+/// The neighbours of a group while they are being found.
 pub(crate) struct Near {
     codes: [[u32; ROOM]; GROUP],
-    /// Squared distances over the squared support.
+    /// Squared distances of the pairs over their squared support radius.
     pub q2: [[f32; ROOM]; GROUP],
-    /// How many each particle has.
+    /// Number of neighbours of each particle.
     pub counts: [usize; GROUP],
-    /// The particles' own codes.
+    /// The codes of the particles themselves.
     own: [u32; GROUP],
-    /// Do all codes refer to the same windows?
+    /// Whether all codes of the group refer to the same windows.
     fits: bool,
 }
 
-/// A share of the groups.
+/// A job: a range of groups.
 pub(crate) struct Job<'a, V> {
     surroundings: Surroundings<'a>,
     present: usize,
     groups: Range<usize>,
     lists: Filling<'a>,
     visitor: &'a V,
-    /// What the visitor fills: an entry a particle, or nothing.
+    /// The entries that the visitor fills: one per particle, or none at all.
     out: &'a mut [f32x4],
 }
 
-/// Lists the neighbours of all particles, and hands those of each group to the visitor.
+/// Lists the neighbours of all particles, and passes those of each group to the visitor.
 pub(crate) fn run<V: Visit>(
     setup: Setup<'_>,
     executor: &impl Executor,
@@ -78,12 +86,12 @@ pub(crate) fn run<V: Visit>(
     executor.run(&mut jobs, V::work);
 }
 
-/// What is known of a cell whose candidates were gathered.
+/// Data of a cell whose candidates were gathered.
 struct Gathered {
     members: Range<usize>,
-    /// What the members' codes are larger by than their slots.
+    /// Wrapping difference between code and slot for the particles of the cell.
     own_shift: u32,
-    /// Do the codes refer to other windows than those of the cell before?
+    /// Whether the codes refer to other windows than those of the previous cell.
     are_windows_new: bool,
 }
 
@@ -107,12 +115,12 @@ impl<'a, V: Visit> PairJob<'a> for Job<'a, V> {
         let end = (self.groups.end * GROUP).min(self.present).max(first);
         let mut slot = first;
         while slot < end {
-            // the cell of the next particles, and all that may be near them
+            // find the cell of the next particles, and all their candidates
             let cell = cell_of(p, particles.position[slot]);
             let Gathered { members, own_shift, are_windows_new } = if let Ok(cell) = cell {
                 self.gather::<R>(setup, cell as usize, &mut candidates)
             } else {
-                // a step with such a particle ends before
+                // the position is outside the range of the grid: such a step has failed in an earlier pass
                 candidates.clear();
                 Gathered { members: slot..slot + 1, own_shift: 0, are_windows_new: false }
             };
@@ -121,10 +129,10 @@ impl<'a, V: Visit> PairJob<'a> for Job<'a, V> {
             for a in slot..until {
                 let i = a % GROUP;
                 near.own[i] = (a as u32).wrapping_add(own_shift);
-                // a mirroring wall has no density, and nobody acts on it
+                // mirroring wall particles have no density and no acceleration, so they need no neighbours
                 let asleep = m.wall_particles == MIRRORED && is_wall(setup.materials, particles.velocity[a][3]);
                 near.counts[i] = if !candidates.are_complete() {
-                    // nor is the particle's own code known
+                    // the particle's own code is not known either
                     ROOM
                 } else if asleep {
                     0
@@ -151,7 +159,7 @@ impl<'a, V: Visit> PairJob<'a> for Job<'a, V> {
 }
 
 impl<V: Visit> Job<'_, V> {
-    /// Lists a group, whose last particle lies in slot `last`.
+    /// Stores the lists of the group that ends at slot `last`, and calls the visitor for it.
     #[inline(always)]
     fn close<R: Lanes>(&mut self, setup: &Setup<'_>, near: &mut Near, last: usize, first_of_job: usize) {
         let first = last - last % GROUP;
@@ -179,7 +187,7 @@ impl<V: Visit> Job<'_, V> {
         }
     }
 
-    /// Gathers the candidates around a cell: not all of them, where they are too many to be listed.
+    /// Gathers the candidates of a cell. They stay incomplete if there are too many to be listed.
     #[inline(always)]
     fn gather<R: Lanes>(&mut self, setup: &Setup<'_>, cell: usize, candidates: &mut Candidates) -> Gathered {
         let Surroundings { particles, cells, .. } = self.surroundings;
@@ -207,7 +215,7 @@ impl<V: Visit> Job<'_, V> {
                 return gathered;
             }
             if attempt == 0 {
-                // the windows are those of cells that lie behind
+                // the windows in use belong to cells that are done: start with new ones
                 self.lists.reset();
                 gathered.are_windows_new = true;
             }
@@ -217,8 +225,8 @@ impl<V: Visit> Job<'_, V> {
 }
 
 impl Near {
-    /// The next squared distances, from the `k`-th on, of as many of the group's particles as there are receivers, from
-    /// the `first` on.
+    /// Returns the squared distances to the neighbours from number `k` on. `first` is the first receiver, as an index
+    /// into the group.
     #[inline(always)]
     pub(crate) fn q2_of<R: Lanes>(&self, first: usize, k: usize) -> R {
         R::numbers(|receiver| &self.q2[(first + receiver) % GROUP][k..])

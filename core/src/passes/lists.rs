@@ -1,40 +1,45 @@
-//! How the neighbours of a group of four particles lie in memory: a range for each group, then the codes of all.
+//! Memory layout of the neighbour lists. Particles are listed in groups of four that lie in consecutive slots. The
+//! memory holds a range for each group, followed by the codes of all groups.
 //!
-//! The codes of a group stand as they are read: four neighbours of its first particle, four of the second, of the third
-//! and of the fourth, then the next four of each. A list that is shorter than the longest of the four is filled up with
-//! the particle itself. A code of 16 bits is a window of slots and a place in it; the first slots of the windows stand
-//! before the codes of the first group that uses them. A group whose lists do not fit is not listed, and searches its
-//! cells in every pass.
+//! The codes of a group are stored in the order in which they are read: four neighbours of its first particle, four of
+//! the second, of the third and of the fourth. These 16 codes are a chunk. The next chunk holds the next four
+//! neighbours of each particle. A list that is shorter than the longest of the group is padded with the particle's own
+//! code.
+//!
+//! A code has 16 bits: the number of a window, and a place in it. A window is a range of consecutive slots. The first
+//! slots of all windows are stored in front of the codes of the first group that uses these windows, and later groups
+//! refer to them as well. A group whose lists do not fit is not listed: it searches its cells in every pass.
 use crate::arithmetic::codes::{MOST_LANES, WINDOW_BITS, WINDOWS, Windows};
 use core::ops::Range;
 
-/// Particles of a group, side by side in their slots.
+/// Number of particles in a group; they lie in consecutive slots.
 pub(crate) const GROUP: usize = 4;
 
-/// Most neighbours that are listed of a particle.
+/// Largest number of neighbours that are listed for a particle.
 pub(crate) const MOST_LISTED: usize = 240;
 
-/// Codes that a group's lists grow by: four for each of its particles, which is what the widest lanes take at once.
+/// Number of codes in a chunk, by which the lists of a group grow: four for each particle of the group, which is as
+/// many codes as the widest lanes take at once.
 pub(crate) const CHUNK: usize = MOST_LANES;
 
 const _: () = assert!(CHUNK == 4 * GROUP && CHUNK * size_of::<u16>() == size_of::<Windows>());
 
-/// Room for the neighbours of a particle while they are being found.
+/// Capacity of the buffer for the neighbours of a particle while they are being found.
 pub(crate) const ROOM: usize = MOST_LISTED + CHUNK;
 
-/// Words of a range: where the codes begin, in chunks; where their windows stand, likewise; the longest list; the
-/// length of each in a byte.
+/// Number of words in a range: the start of the codes, in chunks; the start of their windows, in chunks; the length of
+/// the longest list, rounded up to a multiple of four; the length of each of the four lists, one byte each.
 const RANGE: usize = 4;
 
-/// Length of a list that there is not.
+/// Length of the longest list in the range of a group that is not listed.
 const NOT_LISTED: u32 = u32::MAX;
 
-/// Groups of so many particles.
+/// Returns the number of groups for this many particles.
 pub(crate) fn groups(particles: usize) -> usize {
     particles.div_ceil(GROUP)
 }
 
-/// The memory of the lists in its two parts; no ranges where there is no memory even for those.
+/// Splits the memory of the lists into ranges and codes. Both are empty if the memory is too small for the ranges.
 fn parts(memory: &[u32], particles: usize) -> (&[[u32; RANGE]], &[u16]) {
     let (ranges, codes) = memory.split_at_checked(RANGE * groups(particles)).unwrap_or((&[], &[]));
     (ranges.as_chunks().0, bytemuck::cast_slice(codes))
@@ -43,45 +48,45 @@ fn parts(memory: &[u32], particles: usize) -> (&[[u32; RANGE]], &[u16]) {
 /// How full the neighbour lists of a step are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ListReport {
-    /// Groups of four particles.
+    /// Number of groups of four particles.
     pub groups: usize,
-    /// Those whose lists fit; the others search their cells in each pass.
+    /// Number of groups whose lists fit; the other groups search their cells in each pass.
     pub listed: usize,
-    /// Pairs that are listed, a particle with itself among them.
+    /// Number of pairs in the lists. The pair of a particle with itself counts as one.
     pub pairs: u64,
-    /// Places of the lists that lanes work on, those that hold no pair included.
+    /// Number of entries in the lists, padding included: the number of pairs that the lanes process.
     pub places: u64,
 }
 
-/// The lists, to be read.
+/// Read access to the lists.
 #[derive(Clone, Copy)]
 pub(crate) struct Lists<'a> {
     ranges: &'a [[u32; RANGE]],
     codes: &'a [u16],
 }
 
-/// The lists of a group.
+/// The lists of one group.
 #[derive(Clone, Copy)]
 pub(crate) struct Listed<'a> {
     /// The codes, chunk by chunk.
     pub codes: &'a [u16],
-    /// What they refer to.
+    /// The windows that the codes refer to.
     pub windows: &'a Windows,
-    /// How many neighbours each particle has.
+    /// Number of neighbours of each particle.
     pub counts: [u8; GROUP],
 }
 
 impl<'a> Lists<'a> {
-    /// None: all groups search their cells.
+    /// No lists: all groups search their cells.
     pub(crate) const NONE: Lists<'a> = Lists { ranges: &[], codes: &[] };
 
-    /// Those in this memory.
+    /// Reads the lists in this memory.
     pub(crate) fn new(memory: &'a [u32], particles: usize) -> Lists<'a> {
         let (ranges, codes) = parts(memory, particles);
         Lists { ranges, codes }
     }
 
-    /// How full they are.
+    /// Reports how full the lists are.
     pub(crate) fn report(&self, particles: usize) -> ListReport {
         let mut report = ListReport { groups: groups(particles), listed: 0, pairs: 0, places: 0 };
         for listed in (0..report.groups).filter_map(|group| self.of(group)) {
@@ -92,11 +97,11 @@ impl<'a> Lists<'a> {
         report
     }
 
-    /// Those of a group; none where it is not listed.
+    /// Returns the lists of a group, or `None` if it is not listed.
     #[inline(always)]
     pub(crate) fn of(&self, group: usize) -> Option<Listed<'a>> {
         let [begin, windows, longest, counts] = *self.ranges.get(group)?;
-        // of a group that was never listed these may be any numbers
+        // the range of a group that was never listed may hold any numbers
         let from = |chunk: u32| self.codes.get((chunk as usize).checked_mul(CHUNK)?..);
         let codes = from(begin)?.get(..(longest as usize).checked_mul(GROUP)?)?;
         let windows = from(windows)?.get(..CHUNK)?;
@@ -105,24 +110,24 @@ impl<'a> Lists<'a> {
     }
 }
 
-/// A share of the lists, to be filled group by group.
+/// A part of the lists, which one job fills group by group.
 pub(crate) struct Filling<'a> {
     ranges: &'a mut [[u32; RANGE]],
     codes: &'a mut [u16],
-    /// Chunks of other shares before this one.
+    /// Number of chunks that belong to parts before this one.
     chunks_before: usize,
-    /// Chunks of it that are filled.
+    /// Number of chunks of this part that are filled.
     filled: usize,
     windows: Windows,
-    /// How many of them are in use.
+    /// Number of windows in use.
     used: usize,
-    /// The one that was asked for last.
+    /// Index of the window that was used last.
     recent: usize,
-    /// Where they were written; nowhere yet where they are new.
+    /// The chunk that the windows were written to; `None` if they were not written since they last changed.
     written: Option<usize>,
 }
 
-/// The memory of the lists in shares of so many groups each.
+/// Cuts the memory of the lists into one part for each of the given ranges of groups.
 pub(crate) fn share(
     memory: &mut [u32],
     particles: usize,
@@ -131,13 +136,13 @@ pub(crate) fn share(
     let all = groups(particles);
     let (ranges, codes) = memory.split_at_mut_checked(RANGE * all).unwrap_or((&mut [], &mut []));
     let mut ranges = ranges.as_chunks_mut().0;
-    // what sorted the particles lay here
+    // the sorting arrays used the same memory, so it holds stale data
     ranges.fill([0, 0, NOT_LISTED, 0]);
     let mut codes: &mut [u16] = bytemuck::cast_slice_mut(codes);
     let chunks = codes.len() / CHUNK;
     let mut chunks_before = 0;
     shares.map(move |groups| {
-        // each share's part of the codes is in proportion to its groups
+        // the codes are divided in proportion to the number of groups
         let until = (chunks as u64 * groups.end as u64 / all.max(1) as u64) as usize;
         let filling = Filling {
             ranges: ranges.split_off_mut(..groups.len()).unwrap_or_default(),
@@ -154,18 +159,19 @@ pub(crate) fn share(
     })
 }
 
-/// Is a slot in the window that begins there?
+/// Returns whether a slot lies in the window that begins at `start`.
 fn is_within(start: u32, slot: u32) -> bool {
     slot.wrapping_sub(start) < 1 << WINDOW_BITS
 }
 
 impl Filling<'_> {
-    /// What a slot of this run differs by from its code, in a window that there is or a new one; nothing where there is
-    /// no more room for one.
+    /// Returns the wrapping difference between code and slot for the slots of this run. Uses an existing window if one
+    /// contains the run, or else adds one. Returns `None` if there is no room for another window, or if the run is
+    /// longer than a window.
     #[inline(always)]
     pub(crate) fn shift(&mut self, run: &Range<usize>) -> Option<u32> {
         let (first, last) = (run.start as u32, run.end as u32 - 1);
-        // most runs lie beside the one before
+        // most runs lie in the same window as the previous one
         let start = self.windows[self.recent];
         if self.recent >= self.used || !is_within(start, first) || !is_within(start, last) {
             self.recent = self.window_of(first, last)?;
@@ -173,7 +179,8 @@ impl Filling<'_> {
         Some(((self.recent as u32) << WINDOW_BITS).wrapping_sub(self.windows[self.recent]))
     }
 
-    /// The window of a run, a new one if need be.
+    /// Returns the index of the window that contains a run, after adding one if necessary. Returns `None` under the
+    /// same conditions as `shift`.
     #[inline(never)]
     fn window_of(&mut self, first: u32, last: u32) -> Option<usize> {
         let has_both = |&start: &u32| is_within(start, first) && is_within(start, last);
@@ -190,13 +197,14 @@ impl Filling<'_> {
         Some(self.used - 1)
     }
 
-    /// Forgets the windows.
+    /// Removes all windows.
     pub(crate) fn reset(&mut self) {
         self.used = 0;
         self.written = None;
     }
 
-    /// Lists a group, of which `codes` are those of its particles, or, `fits` being false, does not.
+    /// Stores the lists of a group, unless `fits` is false or they do not fit. `codes` are the neighbours of its
+    /// particles, `counts` their numbers, and `own` the codes of the particles themselves.
     #[inline(always)]
     pub(crate) fn push(
         &mut self,
@@ -219,7 +227,7 @@ impl Filling<'_> {
             self.filled += 1;
         }
         for ((codes, count), own) in codes.iter_mut().zip(counts).zip(own) {
-            // no more than to the end of the longest, but a number of entries that the compiler knows
+            // fill whole chunks, whose length the compiler knows, up to the end of the longest list
             let mut from = count;
             while from < longest {
                 codes[from..][..CHUNK].fill(own);

@@ -1,4 +1,5 @@
-//! What the pair passes read of particles, and how it gets into the lanes.
+//! Loads the particle data of passes over pairs. Receivers are loaded from consecutive slots, each into all of its
+//! lanes. Neighbours are gathered from the slots in the lists, one per lane.
 use super::columns::{Column, of_materials};
 use super::context::Setup;
 use super::lanes::is_wall;
@@ -7,20 +8,20 @@ use crate::arithmetic::real::{real, vec3};
 use crate::layout::{MaterialRows, f32x4};
 use crate::terms::pair::{Local, Stiffness};
 
-/// The arrays that pairs are made of.
+/// The arrays that passes over pairs read.
 #[derive(Clone, Copy)]
 pub(crate) struct Particles<'a> {
     pub position: &'a [f32x4],
     pub velocity: &'a [f32x4],
-    /// Empty where a pass makes it, or has no use for it.
+    /// Empty if the pass computes it, or does not need it.
     pub density_pressure: &'a [f32x4],
-    /// Empty where supports do not vary.
+    /// Support radius over that of the scene. Empty if all particles have the same support radius.
     pub support: &'a [f32],
 }
 
-/// The particles of a step; `but density` without density and pressure, which a pass makes.
+/// Returns the particles of a step. `but density` leaves out density and pressure, for a pass that writes them.
 ///
-/// A macro, since a function would borrow the whole of the state, and a pass writes one of its arrays.
+/// This is a macro because a function would borrow the whole state, while the pass writes to one of its arrays.
 macro_rules! particles {
     ($step:ident) => {
         $crate::passes::local::Particles {
@@ -44,7 +45,8 @@ macro_rules! particles {
 pub(crate) use particles;
 
 impl Particles<'_> {
-    /// Particles `first ..= last`, each in the lanes of a receiver, the last one repeated to fill up.
+    /// Loads particles `first ..= last` as receivers, each in all of its lanes. The last particle fills the remaining
+    /// lanes.
     #[inline(always)]
     pub(crate) fn receivers<R: Lanes>(&self, setup: &Setup<'_>, first: usize, last: usize) -> Local<R> {
         let velocity = spread(self.velocity, first, last);
@@ -53,10 +55,10 @@ impl Particles<'_> {
         local(setup, spread(self.position, first, last), velocity, density_pressure, support)
     }
 
-    /// The neighbours in the lanes.
+    /// Gathers the neighbours, one per lane.
     #[inline(always)]
     pub(crate) fn neighbours<R: Lanes>(&self, setup: &Setup<'_>, slots: &Slots) -> Local<R> {
-        // positions first: distances, and their roots, take longest
+        // positions first: distances and their square roots take longest
         let position = R::gather(self.position, slots);
         let velocity = R::gather(self.velocity, slots);
         let density_pressure = if self.is_known() { R::gather(self.density_pressure, slots) } else { nothing() };
@@ -64,13 +66,13 @@ impl Particles<'_> {
         local(setup, position, velocity, density_pressure, support)
     }
 
-    /// Are densities known?
+    /// Returns whether densities and pressures are available.
     #[inline(always)]
     fn is_known(&self) -> bool {
         !self.density_pressure.is_empty()
     }
 
-    /// The support radii of receivers, over the scene's.
+    /// Returns the support radii of receivers over that of the scene.
     #[inline(always)]
     pub(crate) fn supports<R: Lanes>(&self, setup: &Setup<'_>, first: usize, last: usize) -> R {
         if setup.model.has_variable_support == 0 {
@@ -79,7 +81,7 @@ impl Particles<'_> {
         R::from_lanes(|lane| self.support[(first + lane / R::NEIGHBOURS).min(last)])
     }
 
-    /// Those of neighbours.
+    /// Returns the support radii of neighbours over that of the scene.
     #[inline(always)]
     pub(crate) fn supports_of<R: Lanes>(&self, setup: &Setup<'_>, slots: &Slots) -> R {
         if setup.model.has_variable_support == 0 {
@@ -88,7 +90,7 @@ impl Particles<'_> {
         R::from_lanes(|lane| self.support[slots.lane(lane)])
     }
 
-    /// What closes the density of receivers `first ..= last`.
+    /// Returns the constants that turn the density of receivers `first ..= last` into pressures.
     #[inline(always)]
     pub(crate) fn stiffness<R: Lanes>(&self, setup: &Setup<'_>, first: usize, last: usize) -> Stiffness<R> {
         let (materials, columns) = (setup.materials, setup.columns);
@@ -105,7 +107,8 @@ impl Particles<'_> {
         }
     }
 
-    /// Are all particles `first ..= last` walls', or inactive? Nothing acts on those.
+    /// Returns whether all of the particles `first ..= last` are wall particles or inactive. These have no
+    /// acceleration.
     #[inline(always)]
     pub(crate) fn are_walls(&self, setup: &Setup<'_>, first: usize, last: usize) -> bool {
         let held = setup.model.wall_particles != 0 || setup.model.has_air == 1;
@@ -113,25 +116,25 @@ impl Particles<'_> {
     }
 }
 
-/// Rows `first ..= last`, each in the lanes of a receiver, the last one repeated to fill up.
+/// Loads rows `first ..= last`, each in all lanes of a receiver. The last row fills the remaining lanes.
 #[inline(always)]
 pub(crate) fn spread<R: Lanes>(rows: &[f32x4], first: usize, last: usize) -> [R; 4] {
     R::spread(|receiver| &rows[(first + receiver).min(last)])
 }
 
-/// What receivers have in `own` so far.
+/// Loads the current entries `own` of the receivers.
 #[inline(always)]
 pub(crate) fn own_numbers<R: Lanes>(own: &[f32x4]) -> [R; 4] {
     spread(own, 0, own.len() - 1)
 }
 
-/// Four zeros.
+/// Returns four zeros.
 #[inline(always)]
 pub(crate) fn nothing<R: Lanes>() -> [R; 4] {
     [real(0.0); 4]
 }
 
-/// Particles in the lanes, from their numbers and what their materials have of their own.
+/// Builds the particles in the lanes from their rows and the constants of their materials.
 #[inline(always)]
 fn local<R: Lanes>(
     setup: &Setup<'_>,
@@ -162,7 +165,7 @@ fn local<R: Lanes>(
     }
 }
 
-/// Number `i` of what the materials of these kinds have of their own.
+/// Returns number `i` of the constants in `rows` for the materials in the lanes.
 #[inline(always)]
 pub(crate) fn of_material<R: Lanes>(
     setup: &Setup<'_>,

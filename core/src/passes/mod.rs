@@ -1,7 +1,31 @@
-//! The loops over particles: folders in the order of a step, one file a pass, listed in [`plan::passes`](crate::plan::passes). A
-//! device's passes have the same names.
+//! The passes of a time step: loops over all particles. The folders are in the order of a step, with one file per pass.
+//! The table of passes is [`plan::passes`](crate::plan::passes). The passes on a GPU have the same names.
 //!
-//! Loops only load, call a term and store. No job reads what another job of its pass writes.
+//! A pass only loads data, calls the functions in [`terms`](crate::terms) and stores the results; it contains no
+//! formula of its own. It is cut into jobs, which may run in parallel. No job reads what another job of the same pass
+//! writes.
+//!
+//! The passes use these words:
+//!
+//! - slot: the index of a particle in the arrays. Each step sorts the particles by cell, so slots change from step to
+//!   step. The id of a particle never changes.
+//! - cell: a cell of the uniform grid that neighbours are searched in, at least one support radius wide. The particles
+//!   of a cell lie in consecutive slots.
+//! - receiver: the particle whose sum is computed, `a` in the formulas.
+//! - neighbour: a particle within the support radius of a receiver, `b` in the formulas. A particle is its own
+//!   neighbour.
+//! - lane: one element of a SIMD register. In passes over pairs the lanes hold one or more receivers, with up to four
+//!   neighbours of each; in other passes each lane holds one particle.
+//! - group: four particles in consecutive slots, whose neighbours are stored together (`lists.rs`). In a loop, the
+//!   receivers that share a register (`group.rs`).
+//! - list: the neighbours of a particle, found once per step and read by all passes over pairs (`lists.rs`).
+//! - code: the slot of a neighbour, packed into 16 bits.
+//! - window: a range of 8192 consecutive slots. A code names a window and a place in it.
+//! - material: the fluid, block, wall or inactive air that a particle belongs to. The fourth number of its velocity is
+//!   the number of its material.
+//! - exposed particle: a liquid particle at the free surface.
+//! - inactive particle: an air particle that is currently unused. Inactive particles have no effect, and all of them
+//!   lie in the last cell.
 mod by_model;
 mod candidates;
 pub(crate) mod columns;

@@ -1,4 +1,5 @@
-//! What the passes over pairs share: jobs over groups of receivers.
+//! The common part of passes over pairs: a trait for the pass, and jobs over groups of receivers. A receiver is the
+//! particle whose sum is computed.
 use super::by_model::PairJob;
 use super::context::Setup;
 use super::group::{Group, Surroundings};
@@ -9,7 +10,8 @@ use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::grid::Cells;
 use crate::layout::f32x4;
 
-/// The lists of a step: a macro for the same reason as [`particles`](super::local::particles). The half stencil makes none.
+/// Returns the neighbour lists of a step. The half stencil makes none. This is a macro for the same reason as
+/// [`particles`](super::local::particles).
 macro_rules! lists {
     ($step:ident) => {
         if $step.setup.model.makes_lists() {
@@ -21,7 +23,7 @@ macro_rules! lists {
 }
 pub(crate) use lists;
 
-/// The cells of a step.
+/// Returns the cells of a step.
 macro_rules! cells {
     ($step:ident) => {
         $crate::grid::Cells { start: &*$step.scratch.cell_start, counter: &*$step.scratch.grid_cell_counters }
@@ -29,34 +31,35 @@ macro_rules! cells {
 }
 pub(crate) use cells;
 
-/// A pass that makes one entry a particle of what its neighbours add up to.
+/// A pass that computes one entry per particle from a sum over its neighbours.
 pub(crate) trait PairPass: Sync + Sized {
-    /// Does a job: `job.run()`. Written out in each pass, and so compiled once, in this crate: what is generic is
-    /// compiled again in every program that brings an executor of its own.
+    /// Runs a job, by one of the functions in `by_model`. Each pass writes this function out, so that its loop is
+    /// compiled once, in this crate. Generic code would be compiled again in every program that supplies its own
+    /// executor.
     fn work(job: &mut Job<'_, Self>);
 
-    /// Fills the entries of a group. Returns a number of which `run` takes the largest; 0 where a pass has none.
+    /// Fills the entries of a group. Returns a number of which [`run`] takes the maximum, or 0 if the pass has none.
     fn group<R: Lanes>(&self, group: &Group<'_>, own: &mut [f32x4]) -> u32;
 
-    /// Fills the entries of particles that are not there: with zeros, unless a pass says otherwise.
+    /// Fills the entries of inactive particles, by default with zeros.
     fn absent(&self, _: &Setup<'_>, own: &mut [f32x4]) {
         own.fill([0.0; 4]);
     }
 }
 
-/// A share of the groups.
+/// A job: a range of receivers that begins at the start of a group.
 pub(crate) struct Job<'a, P> {
     surroundings: Surroundings<'a>,
     lists: Lists<'a>,
     pass: &'a P,
-    /// Slots of particles that are there.
+    /// Number of slots that hold active particles.
     present: usize,
     first_slot: usize,
     out: &'a mut [f32x4],
     largest: u32,
 }
 
-/// Runs a pass over all groups; returns the largest of what they return.
+/// Runs a pass over all groups. Returns the maximum of the numbers that [`PairPass::group`] returned.
 pub(crate) fn run<P: PairPass>(
     setup: Setup<'_>,
     executor: &impl Executor,
@@ -79,7 +82,8 @@ pub(crate) fn run<P: PairPass>(
     jobs.iter().map(|job| job.largest).max().unwrap_or(0)
 }
 
-/// How many of the slots hold particles that are there: inactive ones lie in the last cell.
+/// Returns the number of slots that hold active particles. Inactive particles lie in the last cell, and so in the last
+/// slots.
 pub(crate) fn present(setup: &Setup<'_>, cells: Cells<'_>, particles: usize) -> usize {
     let last = cells.start.last().map_or(particles, |&slot| slot as usize);
     if setup.model.has_air == 1 { last } else { particles }

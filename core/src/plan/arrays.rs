@@ -1,101 +1,112 @@
-//! The table of arrays: name, element type, what there is one entry for, what it is for, and when it exists. Views,
-//! memory requirements, buffers and bindings of a device, comparisons and saved bytes all follow from it.
+//! The table of arrays: name, element type, what an entry stands for, purpose, and the condition under which the array
+//! exists. Views, memory requirements, GPU buffers and bindings, comparisons and saved bytes are all derived from it.
 use crate::layout::{Model, f32x4, u32x2, u32x4};
 use crate::terms::integrate::{has_history, needs_predicted_velocity, needs_start_acceleration};
 
 /// Hands the table to a macro. A row is: name, for [`State`](crate::memory::State) the quantity that errors name,
-/// element type, unit, condition; and, for an array that a step sorts, the array that its entries come from.
+/// element type, unit, condition; and, for an array that a step sorts, the array from which its entries come. A slot is
+/// the index of a particle in these arrays. Each step sorts the particles by cell, so a particle's slot changes; its id
+/// does not.
 ///
-/// - `State`: what a step makes and the next one reads. There are two of each, of which one is the fluid; one that a scene never
-///   changes (`constant`) there is once.
-/// - `Index`: which slot a particle lies in. Two of each, but slots are nobody's business: neither compared nor saved.
-/// - `Sorting`: what a step works in until the particles are sorted. On the CPU these lie where the neighbour lists come to lie after them.
-/// - `Scratch`: what a step works in and forgets.
-/// - `Given`: what is made at the start, or set by the host, and only read by steps.
+/// - `State`: written by a step and read by the next one. There are two copies of each, of which one is the current
+///   state. There is one copy of an array that a scene never changes (`constant`).
+/// - `Index`: the slot of each particle. There are two copies of each. They are neither compared nor saved, because
+///   slots are not part of the physical state.
+/// - `Sorting`: used by a step until the particles are sorted. On the CPU these arrays lie in the memory of the
+///   neighbour lists, which are made afterwards.
+/// - `Scratch`: used only within a step.
+/// - `Given`: set at the start or by the caller, and only read by steps.
 macro_rules! with_arrays {
     ($callback:ident) => {
         $callback! {
             State {
-                /// Position, m; w: mass over that of a particle of the fluid at rest.
+                /// Position, m; w: mass over the mass of a particle of the same fluid at rest.
                 position as Position: f32x4 per Particle, if |_| true, from moved_position;
                 /// Velocity, m/s; w: material.
                 velocity as Velocity: f32x4 per Particle, if |_| true, from moved_velocity;
-                /// Acceleration at that position, m/s2; w: with a tension by curvature the curvature of the surface,
-                /// 1/m.
+                /// Acceleration at that position, m/s2; w: curvature of the surface, 1/m, with a surface tension by
+                /// curvature.
                 acceleration as Acceleration: f32x4 per Particle, if |_| true;
-                /// Density over the rest density less one, pressure and near pressure in Pa, volume in m3
+                /// Density over the rest density minus one, pressure and near pressure in Pa, volume in m3
                 /// ([`QUANTITIES`](crate::layout::QUANTITIES)).
                 density_pressure as Density: f32x4 per Particle, if |_| true;
-                /// Velocity to move with beside a particle's own, m/s; w unused. Only with XSPH.
+                /// XSPH velocity, which is added to a particle's own to move it, m/s; w unused. Only with XSPH.
                 xsph_velocity as XsphVelocity: f32x4 per Particle, if |m| m.has_xsph == 1;
-                /// Thermal energy, J/kg, and its rate, W/kg; z and w unused. Only where a scene keeps account of heat.
+                /// Internal energy, J/kg, and its rate, W/kg; z and w unused. Only in scenes that track internal
+                /// energy.
                 internal_energy as InternalEnergy: f32x4 per Particle, if |m| m.has_internal_energy == 1,
                     from internal_energy@old;
-                /// Inward normal of the surface of a particle's fluid, 1/m; w: the surface's curvature by the Laplacian
-                /// of the colour, 1/m, where tension takes that. Only where normals are found.
+                /// Inward normal of the surface of a particle's fluid, 1/m; w: curvature of the surface by the
+                /// Laplacian of the colour, 1/m, if the surface tension uses it. Only in scenes that compute normals.
                 normal as Normal: f32x4 per Particle, if |m| m.has_normals == 1;
-                /// What the integrator remembers of the steps before: the last displacement, m, or the acceleration
-                /// before, m/s2; w unused. Only with integrators that do.
+                /// What the integrator needs of previous steps: the last displacement, m, or the previous acceleration,
+                /// m/s2; w unused. Only with integrators that need it.
                 history as History: f32x4 per Particle, if |m| has_history(m), from history@old;
-                /// Springs, those of each particle side by side: id of the particle at the other end, and as the bits
-                /// of an f32 the length at rest in m, negative once the spring is broken. Only with elastic fluids.
-                spring_ends as SpringLength: u32x2 per SpringEnd, if |m| m.has_springs == 1, constant if |m| m.is_plastic == 0;
+                /// Spring ends, those of each particle side by side: id of the particle at the other end, and the rest
+                /// length in m as the bits of an f32, negative once the spring is broken. Only with elastic fluids.
+                spring_ends as SpringLength: u32x2 per SpringEnd, if |m| m.has_springs == 1,
+                    constant if |m| m.is_plastic == 0;
             }
             Index {
-                /// Which particle lies in a slot.
+                /// Id of the particle in each slot.
                 id: u32 per Particle, if |_| true;
                 /// Slot of each particle, by id.
                 slot_of_id: u32 per Particle, if |_| true;
             }
             Sorting {
-                /// Slot before the step of each slot after it.
+                /// For each slot after the step, the particle's slot before the step.
                 source_slot: u32 per Particle, if |_| true;
-                /// Positions at which the forces are evaluated, m, in the slots before the step; w: mass.
+                /// Positions at which the forces are evaluated, m, in the slots before the step; w: mass as in the
+                /// position.
                 moved_position: f32x4 per Particle, if |_| true;
-                /// Velocities that forces are evaluated with, m/s, in the slots before the step; w: material.
+                /// Velocities with which the forces are evaluated, m/s, in the slots before the step; w: material.
                 moved_velocity: f32x4 per Particle, if |_| true;
                 /// Cell of each particle, by its slot before the step.
                 cell: u32 per Particle, if |_| true;
-                /// How many of its cell were counted before it.
+                /// Rank of each particle within its cell: the number of particles of the cell that were counted before
+                /// it.
                 rank: u32 per Particle, if |_| true;
-                /// Slots before the step, cell by cell, in no order inside a cell. Only with the index sort.
+                /// Slots before the step, cell by cell, in any order within a cell. Only with the index sort.
                 cell_members: u32 per Particle, if |m| m.cell_places == 0;
             }
             Scratch {
-                /// Particles of each cell (the CUDA design's counters).
+                /// Number of particles in each cell (the counters of the CUDA design, Pirovano, section 4.4.2).
                 grid_cell_counters: u32 per Cell, if |_| true;
-                /// Slots before the step of the particles in each cell, a fixed number of places a cell. Only with cell
-                /// lists.
+                /// Slots before the step of the particles in each cell, with a fixed number of places per cell. Only
+                /// with cell lists.
                 grid_cells: u32 per CellPlace, if |m| m.cell_places > 0;
                 /// First slot of each cell.
                 cell_start: u32 per Cell, if |_| true;
-                /// Neighbour lists of groups of particles: their ranges, then the codes of the neighbours, two a word.
+                /// Neighbour lists of groups of four particles: the range of each group, then the codes of the
+                /// neighbours, two per word.
                 neighbours: u32 per NeighbourWord, if |_| true;
-                /// Density and pressures before the step, in the slots after it. Only where a step needs them.
+                /// Density and pressures before the step, in the slots after it. Only if a step needs them.
                 previous_density_pressure: f32x4 per Particle, if |m| m.needs_previous(), from density_pressure@old;
-                /// Support radius of each particle over the scene's. Only where they vary.
+                /// Support radius of each particle over that of the scene. Only with variable support.
                 support_ratio: f32 per Particle, if |m| m.has_variable_support == 1;
-                /// Acceleration but for pressure, m/s2; w as in the acceleration. Only where pressure is iterated.
+                /// Acceleration without pressure, m/s2; w as in the acceleration. Only with pressure correction.
                 non_pressure_acceleration: f32x4 per Particle, if |m| m.corrects_pressure();
-                /// Accelerations at the beginning of the step, in the slots after it, m/s2. Only with integrators that
-                /// need them at its end.
+                /// Accelerations at the start of the step, in the slots after it, m/s2. Only with integrators that need
+                /// them at the end of the step.
                 start_acceleration: f32x4 per Particle, if |m| needs_start_acceleration(m), from acceleration@old;
-                /// Velocities at the end of the step, m/s; w: material. Only where pairs need them before.
+                /// Predicted velocities at the end of the step, m/s; w: material. Only if sums over pairs need them
+                /// before they are final.
                 end_velocity: f32x4 per Particle, if |m| needs_predicted_velocity(m);
-                /// Gradient of the colour of all fluids together, 1/m; w: 1 where a particle of liquid is exposed, else
-                /// 0. Only with air.
+                /// Gradient of the colour of all fluids together, 1/m; w: 1 for a particle of liquid at the free
+                /// surface, else 0. Only with air.
                 total_colour_gradient: f32x4 per Particle, if |m| m.has_air == 1;
-                /// 1 for a particle beside which one of air is wanted, else 0; behind these a queue for devices. Only
-                /// with air.
+                /// 1 for a particle beside which an air particle is requested, else 0; then, for the GPU, the queue of
+                /// these particles' slots. Only with air.
                 spawn_requested: u32 per SpawnRequest, if |m| m.has_air == 1;
             }
             Given {
-                /// By id: first of a particle's spring ends, how many, and as the bits of an f32 `k / (2 m)` in 1/s2; w
-                /// unused.
+                /// By id: first of a particle's spring ends, their number, and `k / (2 m)` in 1/s2 as the bits of an
+                /// f32; w unused. Only with elastic fluids.
                 spring_ranges: u32x4 per Particle, if |m| m.has_springs == 1;
-                /// Kernels as tables, one after the other. Only where kernels are read from there.
+                /// Tables of kernels, one after the other. Only if kernels are read from tables.
                 kernel_tables: f32 per TableWord, if |m| m.reads_tables();
-                /// Nodes of the host's acceleration field, m/s2, x fastest; w unused. Only where a scene has one.
+                /// Nodes of the acceleration field supplied by the caller, m/s2, x fastest; w unused. Only in scenes
+                /// with such a field.
                 acceleration_field: f32x4 per FieldPoint, if |m| m.has_acceleration_field == 1;
             }
         }
@@ -103,7 +114,7 @@ macro_rules! with_arrays {
 }
 pub(crate) use with_arrays;
 
-/// What an array has one entry for.
+/// What an entry of an array stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
     /// A particle.
@@ -112,13 +123,13 @@ pub enum Unit {
     Cell,
     /// A place of a cell, with cell lists.
     CellPlace,
-    /// A word of the neighbour lists: a fixed number a particle.
+    /// A word of the neighbour lists, of which each particle has a fixed number.
     NeighbourWord,
     /// An end of a spring.
     SpringEnd,
-    /// A particle, and then each particle of air that there can be.
+    /// A particle; after these, each particle of air that the scene can have.
     SpawnRequest,
-    /// A node of the host's field.
+    /// A node of the acceleration field supplied by the caller.
     FieldPoint,
     /// A word of the kernel tables.
     TableWord,
@@ -127,26 +138,26 @@ pub enum Unit {
 /// What an array is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
-    /// A step reads one and makes the other; both are what the fluid is.
+    /// A step reads one copy and writes the other. Together these arrays are the state of the fluid.
     State,
-    /// The same, of where particles lie in memory.
+    /// A step reads one copy and writes the other. These arrays say in which slots the particles lie.
     Index,
-    /// A step works in it until the particles are sorted.
+    /// A step uses it until the particles are sorted.
     Sorting,
-    /// A step works in it.
+    /// A step uses it, and nothing of it is kept.
     Scratch,
     /// Steps only read it.
     Given,
 }
 
-/// Which of an array's copies.
+/// One of the copies of an array.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
-    /// Of the state before the step.
+    /// The copy of the state before the step.
     Old,
-    /// Of the state that the step makes.
+    /// The copy of the state after the step.
     New,
-    /// The only one there is.
+    /// The only copy.
     Only,
 }
 
@@ -162,7 +173,7 @@ struct Row {
     source: Option<(Array, Side)>,
 }
 
-/// A side by its name, none being the only one.
+/// A side by its name. No name stands for the only copy.
 macro_rules! side {
     () => {
         $crate::plan::arrays::Side::Only
@@ -177,7 +188,8 @@ macro_rules! side {
 pub(crate) use side;
 
 macro_rules! row {
-    ($class:ident, $name:ident, $type:ident, $unit:ident, $exists:expr, [$($constant:expr)?], [$($source:ident $(@ $side:ident)?)?]) => {{
+    ($class:ident, $name:ident, $type:ident, $unit:ident, $exists:expr, [$($constant:expr)?],
+        [$($source:ident $(@ $side:ident)?)?]) => {{
         #[allow(unused_mut, unused_assignments, reason = "most rows have neither")]
         let mut constant: fn(&Model) -> bool = |_| false;
         #[allow(unused_mut, unused_assignments, reason = "most rows have neither")]
@@ -193,21 +205,22 @@ macro_rules! row {
 macro_rules! declare {
     (
         State { $($(#[$state_doc:meta])* $state:ident as $quantity:ident: $state_type:ident per $state_unit:ident,
-            if $state_exists:expr $(, constant if $constant:expr)? $(, from $state_from:ident $(@ $state_side:ident)?)?;)* }
+            if $state_exists:expr $(, constant if $constant:expr)?
+            $(, from $state_from:ident $(@ $state_side:ident)?)?;)* }
         $($class:ident { $($(#[$doc:meta])* $name:ident: $type:ident per $unit:ident,
             if $exists:expr $(, from $from:ident $(@ $side:ident)?)?;)* })*
     ) => {
-        /// An array, by its name.
+        /// The arrays, by name.
         #[expect(non_camel_case_types, reason = "an array has one name, in Rust, in WGSL and in reports")]
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Array { $($(#[$state_doc])* $state,)* $($($(#[$doc])* $name,)*)* }
 
-        /// A quantity of a particle that can stop being finite: an array of the state.
+        /// A particle's quantities that can become not finite: the arrays of the state.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Quantity { $($(#[$state_doc])* $quantity,)* }
 
         impl Array {
-            /// All of them, those of the state first.
+            /// All arrays, those of the state first.
             pub const ALL: &[Array] = &[$(Array::$state,)* $($(Array::$name,)*)*];
 
             const ROWS: &[Row] = &[
@@ -218,7 +231,7 @@ macro_rules! declare {
         }
 
         impl Quantity {
-            /// All of them, in the order of the arrays.
+            /// All quantities, in the order of their arrays.
             pub const ALL: &[Quantity] = &[$(Quantity::$quantity,)*];
         }
     };
@@ -226,14 +239,14 @@ macro_rules! declare {
 with_arrays!(declare);
 
 impl Array {
-    /// How many there are.
+    /// Number of arrays.
     pub const COUNT: usize = Array::ALL.len();
 
     fn row(self) -> &'static Row {
         &Array::ROWS[self as usize]
     }
 
-    /// Its name.
+    /// Name of the array.
     #[must_use]
     pub fn name(self) -> &'static str {
         self.row().name
@@ -245,31 +258,31 @@ impl Array {
         self.row().element
     }
 
-    /// Words of an element, of four bytes each.
+    /// Number of words of four bytes in an element.
     #[must_use]
     pub fn words(self) -> usize {
         self.row().words
     }
 
-    /// What it has one entry for.
+    /// What an entry of the array stands for.
     #[must_use]
     pub fn unit(self) -> Unit {
         self.row().unit
     }
 
-    /// What it is for.
+    /// Purpose of the array.
     #[must_use]
     pub fn class(self) -> Class {
         self.row().class
     }
 
-    /// Does it exist by this model?
+    /// Returns whether the array exists in a scene with this model.
     #[must_use]
     pub fn exists(self, model: &Model) -> bool {
         (self.row().exists)(model)
     }
 
-    /// Copies of it by this model: 0, 1 or 2.
+    /// Number of copies of the array with this model: 0, 1 or 2.
     #[must_use]
     pub fn copies(self, model: &Model) -> usize {
         let Row { class, exists, constant, .. } = self.row();
@@ -277,26 +290,26 @@ impl Array {
         if exists(model) { 1 + usize::from(two) } else { 0 }
     }
 
-    /// The array that its entries are taken from once slots are known, where a step sorts it.
+    /// The array from which its entries are taken once the slots are known, if a step sorts it.
     #[must_use]
     pub fn source(self) -> Option<(Array, Side)> {
         self.row().source
     }
 
-    /// Are its elements four floats?
+    /// Returns whether its elements are four floats.
     #[must_use]
     pub fn is_vector(self) -> bool {
         self.element() == stringify!(f32x4)
     }
 
-    /// The arrays that a fluid consists of, by this model.
+    /// The arrays that make up the state of the fluid with this model.
     pub fn of_state(model: &Model) -> impl Iterator<Item = Array> {
         Array::ALL.iter().copied().filter(|array| array.class() == Class::State && array.exists(model))
     }
 }
 
 impl Quantity {
-    /// By the number of its array, as a status word holds it.
+    /// The quantity whose array has this number, as stored in a status word.
     #[must_use]
     pub fn from_word(word: u32) -> Quantity {
         Quantity::ALL.get(word as usize).copied().unwrap_or(Quantity::Position)

@@ -1,16 +1,16 @@
-//! What a plan consists of, in names: the terms of its passes, and what the scene does without.
+//! What a plan consists of, by name: the terms of its passes, and the features that the scene does not use.
 use super::Plan;
 use super::passes::Pass;
 use crate::scene::{PressureSolver, Viscosity};
 use crate::terms::{density, integrate, tension};
 use heapless::Vec;
 
-/// Something that a scene does without.
+/// A feature that the scene does not use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LeftOut {
-    /// What.
+    /// Name of the feature.
     pub what: &'static str,
-    /// Why.
+    /// Why it is left out.
     pub why: &'static str,
 }
 
@@ -18,14 +18,14 @@ pub struct LeftOut {
 pub type Terms = Vec<&'static str, 16>;
 
 impl Plan {
-    /// The terms of a pass, in the order of its sums.
+    /// The terms of a pass, in the order of summation.
     #[must_use]
     pub fn terms(&self, pass: Pass) -> Terms {
         let (m, choice) = (&self.model, &self.choice);
         let mut terms = Terms::new();
         let mut add = |names: &[&'static str], runs: bool| {
             if runs {
-                // as many as a pass has terms at most
+                // a pass never has more terms than fit
                 let _ = terms.extend_from_slice(names);
             }
         };
@@ -93,60 +93,60 @@ impl Plan {
         terms
     }
 
-    /// What the scene does without.
+    /// The features that the scene does not use.
     #[must_use]
     pub fn left_out(&self) -> Vec<LeftOut, 32> {
         let (m, choice) = (&self.model, &self.choice);
         let lists = m.cell_places > 0;
         let all = [
-            (m.near_pressure == 0, "near pressure", "model.near_pressure is Off, or its stiffness is 0"),
+            (m.near_pressure == 0, "near pressure", "model.near_pressure is Off, or near_stiffness is 0 in all fluids"),
             (
                 m.viscosity == 0,
                 "viscosity",
                 match choice.viscosity {
                     Viscosity::Artificial => "model.alpha and model.beta are 0",
-                    Viscosity::VelocityExchange => "velocities are exchanged instead",
+                    Viscosity::VelocityExchange => "model.viscosity is VelocityExchange",
                     _ => "dynamic_viscosity is 0 in every fluid",
                 },
             ),
             (
                 m.has_velocity_exchange == 0,
-                "exchange of velocities",
-                "model.velocity_exchange and model.radial_exchange are unused or 0",
+                "velocity exchange",
+                "model.radial_exchange is 0, and model.velocity_exchange is 0 or not used by model.viscosity",
             ),
             (m.has_gravity == 0, "gravity", "gravity is 0"),
             (m.has_buoyancy == 0, "buoyancy", "ambient_density is 0"),
-            (m.has_wind == 0, "wind", "the scene has none"),
-            (m.has_acceleration_field == 0, "field of the host's", "the scene has none"),
-            (m.has_container == 0, "penalty walls", "the scene has no container"),
-            (m.wall_particles == 0, "walls of particles", "the scene has none"),
+            (m.has_wind == 0, "wind", "wind is not set, or its drag is 0"),
+            (m.has_acceleration_field == 0, "acceleration field", "acceleration_field is not set"),
+            (m.has_container == 0, "penalty planes", "container is not set"),
+            (m.wall_particles == 0, "wall particles", "the scene has no walls"),
             (m.is_periodic == 0, "periodic images", "no axis is periodic"),
             (m.has_variable_support == 0, "variable support", "model.variable_support is not set"),
-            (m.has_variable_mass == 0, "masses", "all particles have the same"),
-            (m.has_materials == 0, "kinds of particle", "there is one fluid and no wall of particles"),
-            (m.has_internal_energy == 0, "thermal energy", "model.internal_energy is off"),
+            (m.has_variable_mass == 0, "variable masses", "model.initialize_hydrostatic is off"),
+            (m.has_materials == 0, "materials", "one fluid, no walls, and no block with its own dynamic_viscosity"),
+            (m.has_internal_energy == 0, "internal energy", "model.internal_energy is off"),
             (m.has_xsph == 0, "XSPH", "model.xsph is 0"),
-            (!integrate::has_history(m), "integrator's history", "model.integrator remembers nothing"),
-            (m.is_reevaluated == 0, "second evaluation", "model.reevaluate is off"),
-            (m.is_adaptive == 0, "changing time step", "adaptive is not set"),
+            (!integrate::has_history(m), "integrator history", "model.integrator needs nothing of previous steps"),
+            (m.is_reevaluated == 0, "second force evaluation", "model.reevaluate is off"),
+            (m.is_adaptive == 0, "adaptive time step", "adaptive is not set"),
             (!m.reads_tables(), "kernel tables", "model.evaluation is Direct"),
             (
                 choice.pressure_solver != PressureSolver::PressureCorrection,
                 "pressure correction",
                 "model.pressure_solver is EquationOfState",
             ),
-            (m.is_3d == 0, "cells along z", "the scene is in 2D: a stencil of 9 cells"),
-            (!lists, "cell lists", "grid.structure is the index sort"),
-            (lists, "index sort", "grid.structure is cell lists"),
+            (m.is_3d == 0, "cells along z", "the scene is in 2D: the stencil has 9 cells"),
+            (!lists, "cell lists", "grid.structure is IndexSort"),
+            (lists, "index sort", "grid.structure is CellLists"),
             (!m.makes_lists(), "neighbour lists", "grid.traversal is HalfStencil"),
-            (m.is_multi_fluid == 0, "several fluids", "there is one"),
+            (m.is_multi_fluid == 0, "multiple fluids", "the scene has one fluid"),
             (m.tension == 0, "surface tension", "model.surface_tension is Off, or surface_tension is 0 in every fluid"),
-            (m.has_normals == 0, "normals", "no tension needs them, and model.surface_normals is off"),
+            (m.has_normals == 0, "normals", "surface tension does not need them, and model.surface_normals is off"),
             (m.has_springs == 0, "elasticity", "elastic_stiffness is 0 in every fluid"),
             (m.is_plastic == 0, "plasticity", "elasticity.plasticity and elasticity.break_at are not set"),
-            (m.has_air == 0, "air", "the scene has none"),
-            (true, "bodies", "no scene of this version can ask for it"),
-            (true, "emitters over time", "no scene of this version can ask for it"),
+            (m.has_air == 0, "air", "air is not set"),
+            (true, "bodies", "this version does not support them"),
+            (true, "emitters", "this version does not support them"),
         ];
         all.into_iter().filter(|(left_out, ..)| *left_out).map(|(_, what, why)| LeftOut { what, why }).collect()
     }

@@ -1,22 +1,22 @@
-//! What loops over pairs are compiled for.
+//! The cases for which loops over pairs are compiled.
 use crate::layout::Model;
 use crate::terms::table::DIRECT;
 
-/// How much the compiler may take for granted of a model. Loops over pairs are compiled once for each of these, without the code that
-/// only other scenes need: that code would take registers and stack even where it never runs.
+/// What the compiler may assume about a model. Loops over pairs are compiled once for each of these cases, without the
+/// code that only other scenes need. Such code would take registers and stack even if it never ran.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Known {
-    /// One material, no walls of particles and no periodic axis; kernels by their formulas, one support for all, no air.
+    /// One material, no wall particles and no periodic axis; kernels evaluated by formula, a constant support, no air.
     OneMaterial,
-    /// Any materials, masses and walls of particles; no periodic axis; kernels, supports and air as above.
+    /// Any materials, masses and wall particles; no periodic axis; kernels, support and air as for `OneMaterial`.
     NoPeriods,
-    /// Some axis is periodic; else as with no periods.
+    /// At least one periodic axis; otherwise as for `NoPeriods`.
     Periods,
-    /// Anything.
+    /// Any model.
     Nothing,
 }
 
-// loops name one by its place in the list
+// loops refer to a case by its index in the list
 const _: () = {
     let mut i = 0;
     while i < Known::ALL.len() {
@@ -26,15 +26,15 @@ const _: () = {
 };
 
 impl Known {
-    /// From the most that is known to the least.
+    /// All cases, from the most specific to the most general.
     pub(crate) const ALL: [Known; 4] = [Known::OneMaterial, Known::NoPeriods, Known::Periods, Known::Nothing];
 
-    /// As much as is known of this model.
+    /// The most specific case that applies to this model.
     pub(crate) fn of(model: &Model) -> Known {
         *Known::ALL.iter().find(|known| *model == known.in_model(model)).unwrap_or(&Known::Nothing)
     }
 
-    /// The model of which this much is known: the same one, where it is true of it.
+    /// The model with the assumed values as constants. It equals `model` if the case applies.
     #[inline(always)]
     pub(crate) const fn in_model(self, model: &Model) -> Model {
         let usual = Model { evaluation: DIRECT, has_variable_support: 0, has_air: 0, ..*model };

@@ -1,8 +1,9 @@
-//! The plan of a scene: which arrays exist, which passes run in which order, which terms are in them, and what is left out, with the
-//! reason.
+//! The plan of a scene: which arrays exist, which passes run in which order, which terms they contain, and what is left
+//! out, with the reason.
 //!
-//! A pure function of the scene. What is left out is not computed at all, and what remains keeps its place in every sum,
-//! so a plan never changes a bit: [`Plan::everything`] runs too, and a test compares.
+//! A plan is a pure function of the scene. What is left out is not computed at all, and what remains keeps its place in
+//! every sum, so leaving out terms does not change a single bit of the result. [`Plan::everything`] can be run too, and
+//! a test compares the two.
 pub mod arrays;
 mod explain;
 mod features;
@@ -26,14 +27,14 @@ use schedule::{Schedule, schedule};
 /// What a step of a scene consists of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plan {
-    /// The choices that the terms compare.
+    /// The choices as numbers, which the terms compare.
     pub model: Model,
     /// The choices by name.
     pub choice: Formulation,
 }
 
 impl Plan {
-    /// The plan of a scene: nothing that it does not need.
+    /// The plan of a scene, with only what the scene needs.
     #[must_use]
     pub fn of(scene: &Checked<'_>) -> Plan {
         let everything = Plan::everything(scene);
@@ -81,7 +82,8 @@ impl Plan {
         }
     }
 
-    /// The same scene with every term that can be left out left in, at coefficient 0.
+    /// The plan of the same scene that includes every optional term. The terms that the scene does not use have
+    /// coefficient 0.
     #[must_use]
     pub fn everything(scene: &Checked<'_>) -> Plan {
         let choice = scene.model;
@@ -118,7 +120,7 @@ impl Plan {
                     as u32,
                 wall_particles: choice.wall_pressure as u32,
                 is_periodic: u32::from(scene.periodic_axes().next().is_some()),
-                // a table is made for one support, and the half stencil searches by one
+                // kernel tables are made for a single support, and the half stencil searches with a single support
                 has_variable_support: u32::from(
                     choice.evaluation == Evaluation::Direct && scene.grid.traversal == Traversal::FullStencil,
                 ),
@@ -155,20 +157,20 @@ impl Plan {
         schedule(&self.model, self.iterations())
     }
 
-    /// The passes that run, in order, each once.
+    /// The passes that run, in order, each listed once.
     pub fn passes(&self) -> impl Iterator<Item = Pass> + use<> {
         let model = self.model;
         Pass::ALL.into_iter().filter(move |pass| pass.runs(&model))
     }
 
-    /// Most iterations of pressure in a step; 0 with an equation of state.
+    /// Largest number of pressure iterations in a step; 0 with an equation of state.
     #[must_use]
     pub fn iterations(&self) -> u32 {
         if self.model.corrects_pressure() { self.choice.correction.iterations } else { 0 }
     }
 }
 
-/// Do springs join its particles?
+/// Returns whether springs join the particles of this fluid.
 fn is_elastic(fluid: &Fluid) -> bool {
     fluid.elastic_stiffness != 0.0
 }

@@ -1,10 +1,10 @@
-//! The step as data: the list of commands that the CPU interprets, a device records, and reports read.
+//! The step as data: a list of commands that the CPU interprets, the GPU backend records, and reports print.
 use super::arrays::{Array, Side};
 use super::passes::Pass;
 use crate::layout::Model;
 use heapless::Vec;
 
-/// Most commands of a step.
+/// Largest number of commands in a step.
 pub const MOST_COMMANDS: usize = 64;
 
 /// One command of a step.
@@ -12,22 +12,24 @@ pub const MOST_COMMANDS: usize = 64;
 pub enum Command {
     /// Runs a pass.
     Run(Pass),
-    /// Runs a pass once more, with the velocities at the end of the step in place of those that the positions were reached with.
+    /// Runs a pass once more, with the predicted velocities at the end of the step instead of those of the first
+    /// evaluation.
     RunAgain(Pass),
-    /// Moves the entries of an array from the slots before the step into those after it.
+    /// Copies the entries of an array from the slots before the step to those after it.
     Gather {
-        /// From where.
+        /// The array to copy from.
         from: (Array, Side),
-        /// To where.
+        /// The array to copy to.
         to: Array,
     },
     /// Checks that an array of the new state is finite.
     Validate(Array),
-    /// Repeats the commands that follow until the last of them says that their iteration has converged.
+    /// Repeats the commands that follow until the last of them reports that the iteration has converged.
     Repeat {
-        /// How many of the commands that follow; among them may be another `Repeat` with its own.
+        /// How many of the commands that follow are repeated. Among them there may be another `Repeat` with its own
+        /// commands.
         commands: u8,
-        /// Most repetitions.
+        /// Largest number of repetitions.
         most: u32,
     },
 }
@@ -36,7 +38,7 @@ pub enum Command {
 pub type Schedule = Vec<Command, MOST_COMMANDS>;
 
 impl Command {
-    /// The pass whose program it runs; none for a repetition.
+    /// The pass that the command runs; `None` for a repetition.
     #[must_use]
     pub fn pass(self) -> Option<Pass> {
         match self {
@@ -48,11 +50,11 @@ impl Command {
     }
 }
 
-/// The commands of a step by this model, its pressure iterated at most `iterations` times.
+/// The commands of a step with this model and at most `iterations` pressure iterations.
 #[must_use]
 pub fn schedule(m: &Model, iterations: u32) -> Schedule {
     let mut commands = Schedule::new();
-    // forces are evaluated again once all that needs the first ones has had them
+    // forces are evaluated again after all passes that need the first evaluation
     let (before, after) = Pass::ALL.split_at(Pass::SpawnRequests as usize);
     add(&mut commands, m, before, iterations);
     if m.is_reevaluated == 1 {
@@ -63,14 +65,15 @@ pub fn schedule(m: &Model, iterations: u32) -> Schedule {
     commands
 }
 
-/// The commands that evaluate forces while time stands still, or runs back: nothing is made, and no next density is aimed at.
+/// The commands that only evaluate forces, with time at rest or running backwards. They spawn no air and iterate no
+/// pressure, since there is no next density to correct.
 #[must_use]
 pub fn evaluation(m: &Model) -> Schedule {
     let makes = |command: &Command| matches!(command.pass(), Some(Pass::SpawnRequests | Pass::Spawn));
     schedule(m, 0).into_iter().filter(|command| !makes(command)).collect()
 }
 
-/// Adds the commands of these passes.
+/// Adds the commands of these passes to the schedule.
 fn add(commands: &mut Schedule, m: &Model, passes: &[Pass], iterations: u32) {
     for pass in passes.iter().copied().filter(|pass| pass.runs(m)) {
         match pass {
@@ -88,7 +91,7 @@ fn add(commands: &mut Schedule, m: &Model, passes: &[Pass], iterations: u32) {
                 push(commands, Command::Repeat { commands: body.len() as u8, most: iterations });
                 body.into_iter().chain([pass]).for_each(|pass| push(commands, Command::Run(pass)));
             }
-            // the pressure force brings them along
+            // already added together with the pressure force
             Pass::PressureCorrect | Pass::PressureConverged => {}
             _ => push(commands, Command::Run(pass)),
         }
@@ -100,11 +103,11 @@ fn push(commands: &mut Schedule, command: Command) {
     debug_assert!(pushed.is_ok(), "a step has fewer commands than a schedule has room for");
 }
 
-/// Calls `run` for each command, those of a repetition again and again; what `run` returns of the last command of a repetition says
-/// whether it was the last one.
+/// Calls `run` for each command, and repeatedly for the commands of a repetition. A repetition ends when `run` returns
+/// true for its last command. Returns what `run` returned for the last command.
 ///
 /// # Errors
-/// The first that `run` returns; no command runs after it.
+/// The first error that `run` returns. No command runs after it.
 pub fn interpret<E>(commands: &[Command], run: &mut dyn FnMut(Command) -> Result<bool, E>) -> Result<bool, E> {
     let mut converged = false;
     let mut rest = commands.iter();
@@ -133,7 +136,7 @@ mod tests {
         let [outer, inner] = [Pass::Density, Pass::PressureCorrect];
         let repeat = |commands, most| Command::Repeat { commands, most };
         let commands = [repeat(4, 3), repeat(1, 5), Command::Run(inner), Command::Run(outer), Command::Run(outer)];
-        // each inner iteration converges after two rounds, the outer one never
+        // the inner iteration converges after two rounds each time, the outer one never
         let mut rounds = 0;
         let mut order = std::vec::Vec::new();
         let ran: Result<bool, ()> = interpret(&commands, &mut |command| {

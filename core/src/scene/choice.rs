@@ -1,8 +1,10 @@
-//! Every choice between formulas or structures that a scene can make. The numbers of those that a term compares are the
-//! term's own, and so are their names.
+//! The enumerations of a scene: every choice between formulas or data structures. A formula ("term") that compares a
+//! choice defines the numbers of its variants; they are imported here. The names of the formulas are those of their
+//! functions.
 use crate::terms::{correction, density, integrate, kernel, near, pressure, state, table, tension, viscosity, wall};
 
-/// A choice between terms: its variants with the term's number and the names of what it computes.
+/// Defines a choice between formulas: its variants, the number that the formula compares, and the names of the
+/// functions.
 macro_rules! choice {
     ($(#[$doc:meta])* pub enum $name:ident {
         $($(#[$variant_doc:meta])* $variant:ident = $number:expr => $terms:expr,)*
@@ -14,16 +16,16 @@ macro_rules! choice {
         pub enum $name { $($(#[$variant_doc])* $variant = $number,)* }
 
         impl $name {
-            /// All of them.
+            /// All variants.
             pub const ALL: &[$name] = &[$($name::$variant),*];
 
-            /// Names of its terms.
+            /// Returns the names of the functions that compute it.
             #[must_use]
             pub fn terms(self) -> &'static [&'static str] {
                 match self { $($name::$variant => $terms,)* }
             }
 
-            /// Its name in a scene.
+            /// Returns its name in a scene file.
             #[must_use]
             pub fn name(self) -> &'static str {
                 match self { $($name::$variant => stringify!($variant),)* }
@@ -33,99 +35,110 @@ macro_rules! choice {
 }
 
 choice! {
-    /// A smoothing kernel. All vanish at the support radius; `terms` names its value and its slope.
+    /// A smoothing kernel W(r). Every kernel is 0 from the support radius H on, with `q = r / H`.
+    /// [`terms`](Kernel::terms) names its value and its slope.
     pub enum Kernel {
-        /// Mueller et al. 2003, eq. 20 (Pirovano eq. 2.44); its gradient vanishes for close pairs: a poor pressure kernel.
+        /// Mueller et al. 2003, eq. 20 (Pirovano, eq. 2.44). Its gradient vanishes for close pairs, so it is a poor
+        /// pressure kernel.
         Poly6 = kernel::POLY6 => &["poly6_w", "poly6_slope"],
-        /// Mueller et al. 2003, eq. 21 (Pirovano eq. 2.45); also the near density's kernel of Gourlay.
+        /// Mueller et al. 2003, eq. 21 (Pirovano, eq. 2.45). Gourlay uses it for the near density.
         Spiky = kernel::SPIKY => &["spiky_w", "spiky_slope"],
-        /// Monaghan and Lattanzio 1985 (Pirovano eq. 2.43, Hinsch 2024, section 4.1), with the support radius as its 2 h.
+        /// Monaghan and Lattanzio 1985 (Pirovano, eq. 2.43; Hinsch 2024, section 4.1). The support radius is its 2 h.
         CubicSpline = kernel::CUBIC_SPLINE => &["cubic_spline_w", "cubic_spline_slope"],
-        /// The Gaussian (Pirovano eq. 2.42; Gourlay table 1), cut off where it has fallen to e^-9.
+        /// The Gaussian (Pirovano, eq. 2.42; Gourlay, table 1), cut off where it has fallen to e^-9.
         Gaussian = kernel::GAUSSIAN => &["gaussian_w", "gaussian_slope"],
-        /// Lucy 1977 (Gourlay table 1).
+        /// Lucy 1977 (Gourlay, table 1).
         Lucy = kernel::LUCY => &["lucy_w", "lucy_slope"],
-        /// Mueller et al. 2003, eq. 22 (Pirovano eq. 2.46). Infinite at no distance: not for densities.
+        /// Mueller et al. 2003, eq. 22 (Pirovano, eq. 2.46), for viscosity only. It is infinite at distance 0, so it
+        /// cannot be a density kernel.
         Viscosity = kernel::VISCOSITY => &["viscosity_w", "viscosity_slope"],
-        /// Clavet et al. 2005: `(1 - q)^2`, the density kernel of Gourlay's near pair.
+        /// `(1 - q)^2` (Clavet et al. 2005). Gourlay uses it for the density that goes with a near density.
         Clavet = kernel::CLAVET => &["clavet_w", "clavet_slope"],
-        /// Wendland 1995, C2: particles do not pair (Dehnen and Aly 2012).
+        /// Wendland 1995, C2. Particles do not pair, however many neighbours they have (Dehnen and Aly 2012).
         WendlandC2 = kernel::WENDLAND_C2 => &["wendland_c2_w", "wendland_c2_slope"],
-        /// Wendland 1995, C4: smoother, for more neighbours.
+        /// Wendland 1995, C4. Smoother than C2, for more neighbours.
         WendlandC4 = kernel::WENDLAND_C4 => &["wendland_c4_w", "wendland_c4_slope"],
     }
 }
 
 choice! {
-    /// Where density comes from.
+    /// How density is computed.
     pub enum DensityForm {
-        /// `rho_a = sum m_b W_ab` (Pirovano eq. 2.10).
+        /// `rho_a = sum m_b W_ab` (Pirovano, eq. 2.10).
         Summation = density::SUMMATION => &["density_neighbour"],
-        /// `d rho_a / dt = sum m_b (v_a - v_b) . grad W_ab`, stepped (Pirovano eq. 2.12; Roy): no deficiency at a free surface.
+        /// Integrates `d rho_a / dt = sum m_b (v_a - v_b) . grad W_ab` (Pirovano, eq. 2.12; Roy). Density is not
+        /// underestimated at a free surface.
         Continuity = density::CONTINUITY => &["continuity_neighbour"],
-        /// `n_a = sum W_ab`, particles per volume (Gourlay; Pirovano eq. 3.1).
+        /// `n_a = sum W_ab`, particles per volume (Gourlay; Pirovano, eq. 3.1).
         NumberDensity = density::NUMBER_DENSITY => &["number_density_neighbour"],
-        /// `rho_a = m_a sum W_ab` (Solenthaler and Pajarola 2008; Pirovano eq. 3.5): as if all neighbours were of the particle's own
-        /// fluid, so that no density is smeared across an interface.
+        /// `rho_a = m_a sum W_ab` (Solenthaler and Pajarola 2008; Pirovano, eq. 3.5), as if all neighbours were of the
+        /// particle's own fluid. Density is not smeared across an interface, so this form suits fluids of different
+        /// densities.
         SummationAdapted = density::SUMMATION_ADAPTED => &["number_density_neighbour"],
-        /// `d rho_a / dt = m_a sum (v_a - v_b) . grad W_ab` (Pirovano, section 4.1.2, corrected): the same, stepped.
+        /// Integrates `d rho_a / dt = m_a sum (v_a - v_b) . grad W_ab` (Pirovano, section 4.1.2, corrected): the
+        /// continuity equation for fluids of different densities.
         ContinuityAdapted = density::CONTINUITY_ADAPTED => &["continuity_neighbour"],
     }
 }
 
 choice! {
-    /// How pressure follows from density.
+    /// How pressure P follows from density rho. rho0 is the rest density and c0 the speed of sound of the fluid.
     pub enum EquationOfState {
-        /// Monaghan 1994, exponent 7 (Pirovano eq. 2.15; Hinsch 2024, section 4.4; Roy with the corrected constant).
+        /// Tait's equation with exponent 7 (Monaghan 1994; Pirovano, eq. 2.15; Hinsch 2024, section 4.4; Roy with the
+        /// corrected constant `B = rho0 c0^2 / 7`): `P = B ((rho / rho0)^7 - 1)`.
         Tait = state::TAIT => &["pressure_tait"],
-        /// Desbrun and Cani 1996, linear (Pirovano eq. 2.14; Gourlay's pseudo-pressure).
+        /// `P = c0^2 (rho - rho0)` (Desbrun and Cani 1996; Pirovano, eq. 2.14; Gourlay's pseudo-pressure).
         #[cfg_attr(feature = "serde", serde(alias = "Desbrun"))]
         Linear = state::LINEAR => &["pressure_linear"],
-        /// A gas at one temperature, `P = c0^2 rho` (Pirovano eq. 2.13).
+        /// A gas of constant temperature, `P = c0^2 rho` (Pirovano, eq. 2.13).
         IdealGas = state::IDEAL_GAS => &["pressure_ideal_gas"],
     }
 }
 
 choice! {
-    /// Where the pressure of a step comes from.
+    /// How the pressure of a step is found.
     #[derive(Default)]
     pub enum PressureSolver {
-        /// From the density, by an [`EquationOfState`].
+        /// From the density, by an [`EquationOfState`] (default).
         #[default]
         EquationOfState = correction::EQUATION_OF_STATE => &[],
-        /// From an iteration that ends when the predicted density fits ([`Correction`](super::Correction); Pirovano 3.2.2). No equation of
-        /// state is used; where one is asked for, it is the linear one that the speed of sound makes.
+        /// By pressure correction: pressure is iterated until the predicted density is the wanted one
+        /// ([`Correction`](super::Correction); Pirovano, section 3.2.2). Speeds of sound then do not limit the time
+        /// step. No equation of state is used; where one is needed, it is the linear one with the fluid's speed of
+        /// sound.
         PressureCorrection = correction::PRESSURE_CORRECTION => &["pressure_correction"],
     }
 }
 
 choice! {
-    /// How pressure becomes force: the forms of the gradient (Pirovano eqs. 2.4, 2.6, 2.7; Gourlay table 2).
+    /// The form of the pressure gradient (Pirovano, eqs. 2.4, 2.6, 2.7; Gourlay, table 2).
     pub enum PressureForce {
-        /// Mueller et al. 2003 (Pirovano eq. 2.19): cheap, and half of the gradient.
+        /// Mueller et al. 2003 (Pirovano, eq. 2.19). Cheap, but it yields only half of the gradient, so a fluid at
+        /// rest has twice the hydrostatic pressure.
         Mueller = pressure::MUELLER => &["pressure_mueller"],
-        /// Monaghan 1992 (Pirovano eq. 2.18), the symmetric gradient: with one kernel for density and gradient it conserves
-        /// energy.
+        /// The symmetric gradient of Monaghan 1992 (Pirovano, eq. 2.18). It conserves energy if density and pressure
+        /// use one kernel.
         Monaghan = pressure::MONAGHAN => &["pressure_monaghan"],
-        /// The canonical gradient (Pirovano eq. 2.17): the plainest, and it keeps no momentum.
+        /// The canonical gradient (Pirovano, eq. 2.17). The simplest form; it does not conserve momentum.
         Canonical = pressure::CANONICAL => &["pressure_canonical"],
-        /// The difference gradient (Pirovano eq. 2.6): zero for an even pressure, and it keeps no momentum.
+        /// The difference gradient (Pirovano, eq. 2.6). It is 0 for a uniform pressure; it does not conserve momentum.
         Difference = pressure::DIFFERENCE => &["pressure_difference"],
-        /// The symmetric gradient on the number density (Gourlay table 2): needs [`DensityForm::NumberDensity`].
+        /// The symmetric gradient for the number density (Gourlay, table 2). Needs [`DensityForm::NumberDensity`].
         NumberDensity = pressure::NUMBER_DENSITY_FORCE => &["pressure_number_density"],
-        /// Mueller's on the number density `delta` (Solenthaler and Pajarola 2008; Pirovano eq. 3.6, corrected): with it, a
-        /// particle's volume is `1 / delta` in every term.
+        /// Mueller's form for the number density `delta` (Solenthaler and Pajarola 2008; Pirovano, eq. 3.6,
+        /// corrected), for fluids of different densities. A particle's volume is then `1 / delta` in every formula.
         MuellerAdapted = pressure::MUELLER_ADAPTED => &["pressure_mueller"],
-        /// Monaghan's on the number density (Pirovano, section 4.1.2, corrected), likewise.
+        /// Monaghan's form for the number density `delta` (Pirovano, section 4.1.2, corrected), for fluids of
+        /// different densities. A particle's volume is then `1 / delta` in every formula.
         MonaghanAdapted = pressure::MONAGHAN_ADAPTED => &["pressure_number_density"],
-        /// Weighted by the densities of a pair, on the number density (Hu and Adams 2007): where two fluids meet, the one that
-        /// holds the lighter one at rest too.
+        /// Pressures weighted by the densities of the pair (Hu and Adams 2007), with volumes from the number density.
+        /// Of all forms it is the one that keeps an interface at rest also on the side of the lighter fluid.
         DensityWeighted = pressure::DENSITY_WEIGHTED => &["pressure_density_weighted"],
     }
 }
 
 impl PressureForce {
-    /// Is a particle's volume one over the number density?
+    /// Returns whether a particle's volume is one over its number density.
     #[must_use]
     pub fn is_adapted(self) -> bool {
         matches!(self, PressureForce::MuellerAdapted | PressureForce::MonaghanAdapted | PressureForce::DensityWeighted)
@@ -133,128 +146,151 @@ impl PressureForce {
 }
 
 choice! {
-    /// What keeps particles from pairing.
+    /// An additional repulsion at short distance, which keeps particles from pairing. Its coefficient is
+    /// [`Fluid::near_stiffness`](super::Fluid::near_stiffness), k_near.
     pub enum NearPressure {
-        /// Nothing.
+        /// No near pressure.
         Off = near::NEAR_OFF => &[],
-        /// `P_near = k_near rho` with a narrower slope (Pirovano, section 3.1, corrected).
+        /// Density-proportional near pressure: `P_near = k_near rho`, with the slope `(1 - q)^3`, narrower than that
+        /// of the Spiky kernel (Pirovano, section 3.1, corrected).
         #[cfg_attr(feature = "serde", serde(alias = "Thesis"))]
         DensityProportional = near::DENSITY_PROPORTIONAL => &["near_pressure_proportional", "near_slope_proportional"],
-        /// `P_near = k_near rho_near` on a density of its own (Gourlay after Clavet et al. 2005).
+        /// Double density (Clavet et al. 2005; Gourlay): `P_near = k_near rho_near`, with a separate density sum
+        /// `rho_near`.
         #[cfg_attr(feature = "serde", serde(alias = "Article"))]
         DoubleDensity = near::DOUBLE_DENSITY => &["near_density_neighbour", "near_slope_double_density"],
     }
 }
 
 choice! {
-    /// How velocities diffuse.
+    /// The form of the viscosity. All but `Artificial` and `VelocityExchange` use the dynamic viscosity of the fluid,
+    /// of the block or of the wall.
     pub enum Viscosity {
-        /// Mueller et al. 2003 (Pirovano eq. 2.24), by the Laplacian of the viscosity kernel.
+        /// Mueller et al. 2003 (Pirovano, eq. 2.24), with the Laplacian of the viscosity kernel.
         Mueller = viscosity::MUELLER_VISCOSITY => &["viscosity_mueller"],
-        /// Morris et al. 1997 (Pirovano eq. 2.23, corrected), by its slope.
+        /// Morris et al. 1997 (Pirovano, eq. 2.23, corrected), with the slope of the viscosity kernel.
         Morris = viscosity::MORRIS => &["viscosity_morris"],
-        /// Monaghan 1992's artificial viscosity (Pirovano eqs. 2.20 to 2.22, corrected): `fluid.alpha`, `fluid.beta`.
+        /// The artificial viscosity of Monaghan 1992 (Pirovano, eqs. 2.20 to 2.22, corrected). Its coefficients are
+        /// [`Formulation::alpha`](super::Formulation::alpha) and [`Formulation::beta`](super::Formulation::beta).
         Artificial = viscosity::ARTIFICIAL => &["viscosity_artificial"],
-        /// Hinsch's form (eq. 4.5, corrected), which keeps angular momentum.
+        /// The form of Monaghan and Gingold (Hinsch 2024, eq. 4.5, corrected), which conserves angular momentum.
         #[cfg_attr(feature = "serde", serde(alias = "Dotted"))]
         MonaghanGingold = viscosity::MONAGHAN_GINGOLD => &["viscosity_monaghan_gingold"],
-        /// Gourlay's exchange of velocity: `fluid.velocity_exchange`, a share a step.
+        /// Gourlay's exchange of velocity between neighbours. Its coefficient is
+        /// [`Formulation::velocity_exchange`](super::Formulation::velocity_exchange), a share per step.
         #[cfg_attr(feature = "serde", serde(alias = "Exchange"))]
         VelocityExchange = viscosity::VELOCITY_EXCHANGE => &["exchange_neighbour"],
-        /// Mueller's on the number density (Solenthaler and Pajarola 2008; Pirovano eq. 3.7, corrected): needs a density or a
-        /// pressure force that is adapted too.
+        /// Mueller's form for the number density (Solenthaler and Pajarola 2008; Pirovano, eq. 3.7, corrected), for
+        /// fluids of different densities. Needs a number density: a density other than `Summation` and `Continuity`,
+        /// or an adapted pressure force ([`PressureForce::is_adapted`]).
         MuellerAdapted = viscosity::MUELLER_ADAPTED_VISCOSITY => &["viscosity_mueller"],
     }
 }
 
 choice! {
-    /// How the surface of a fluid pulls itself together: [`Fluid::surface_tension`](super::Fluid::surface_tension).
+    /// The model of surface tension. Its coefficient is [`Fluid::surface_tension`](super::Fluid::surface_tension). The
+    /// colour C of a fluid is 1 where its particles are and 0 elsewhere; n is the gradient of C.
     pub enum SurfaceTension {
-        /// Not at all.
+        /// No surface tension.
         Off = tension::NO_TENSION => &[],
-        /// By the curvature of its colour, `-laplacian C / |n|` (Morris 1999, Mueller et al. 2003; Pirovano eqs. 3.8 to 3.11): its
-        /// tension is a tension, in N/m, where there is another fluid beyond the surface. In nothing half of the colour's
-        /// profile is missing.
-        Curvature = tension::CURVATURE => &["colour_gradient", "colour_laplacian", "curvature_of_colour", "tension_close"],
-        /// By the divergence of its unit normals (Morris 2000): the same, and the better curvature where there is nothing
-        /// beyond the surface.
+        /// From the curvature of the colour, `-laplacian C / |n|` (Morris 1999; Mueller et al. 2003; Pirovano, eqs.
+        /// 3.8 to 3.11). The coefficient is the tension in N/m where another fluid lies beyond the surface. At a
+        /// surface to empty space half of the colour's profile is missing, and this curvature is of no use.
+        Curvature = tension::CURVATURE =>
+            &["colour_gradient", "colour_laplacian", "curvature_of_colour", "tension_close"],
+        /// From the curvature as the divergence of the unit normals (Morris 2000). The coefficient is the tension in
+        /// N/m where another fluid lies beyond the surface. At a surface to empty space this curvature is better than
+        /// that of the colour, and the tension about half of the coefficient.
         NormalCurvature = tension::NORMAL_CURVATURE =>
             &["colour_gradient", "normal_divergence", "curvature_of_normals", "tension_close"],
-        /// By attraction between its particles (Becker and Teschner 2007; Pirovano eq. 3.12, corrected): a coefficient whose
-        /// tension is to be measured.
+        /// From an attraction between particles of one fluid (Becker and Teschner 2007; Pirovano, eq. 3.12,
+        /// corrected). The tension that a coefficient (m3/s2) yields has to be measured.
         Attraction = tension::ATTRACTION => &["attraction"],
-        /// By the sum of kernel gradients (Hinsch 2024, section 6.4): likewise.
+        /// From the sum of kernel gradients (Hinsch 2024, section 6.4). The tension that a coefficient (m2/s2) yields
+        /// has to be measured.
         GradientSum = tension::GRADIENT_SUM => &["gradient_sum"],
     }
 }
 
 choice! {
-    /// What a particle of a wall does to the pressure of its neighbours.
+    /// The pressure that fluid particles see at a wall particle.
     pub enum WallPressure {
-        /// It answers with their own pressure (Hinsch 2024 algorithm 1); two layers. What a wall gives back then is no pair's work: it
-        /// feeds what moves along it, and fluids of little viscosity boil at such walls after a second or two.
+        /// The fluid particle's own pressure (Hinsch 2024, algorithm 1); at least two layers of wall particles. It
+        /// holds a fluid at rest better than `Dynamic`. But a mirrored pressure is not the work of a pair: it adds
+        /// energy to a fluid that moves along the wall, and fluids of low viscosity boil at such walls after a second
+        /// or two.
         Mirrored = wall::MIRRORED => &["wall_mirrored"],
-        /// It has density and pressure like the fluid (Pirovano, section 3.5.3); three layers.
+        /// Dynamic boundary particles: wall particles have a density and a pressure of their own, like the fluid
+        /// (Pirovano, section 3.5.3); at least three layers.
         #[cfg_attr(feature = "serde", serde(alias = "QuasiFluid"))]
         Dynamic = wall::DYNAMIC => &["wall_dynamic"],
     }
 }
 
 choice! {
-    /// How particles are moved from step to step (Pirovano, section 2.3.1 with the errata). Stable up to a product of the largest
-    /// frequency and the time step which is given without damping, and critically damped.
+    /// The time integration (Pirovano, section 2.3.1, corrected). Each variant gives the largest stable `omega dt`,
+    /// where omega is the highest angular frequency and dt the time step, for undamped and for critically damped
+    /// motion with one evaluation of the forces per step.
     #[derive(Default)]
     pub enum Integrator {
-        /// Half kick, drift, half kick (eq. 2.33): stable to 2, and 0.828.
+        /// Half kick, drift, half kick (Pirovano, eq. 2.33, corrected; default): 2 undamped, 0.828 critically damped.
         #[default]
-        ModifiedVelocityVerlet = integrate::MODIFIED_VELOCITY_VERLET => &["modified_verlet_kick", "modified_verlet_kick"],
-        /// Forward Euler (eq. 2.29): never stable, and to 2.
+        ModifiedVelocityVerlet = integrate::MODIFIED_VELOCITY_VERLET =>
+            &["modified_verlet_kick", "modified_verlet_kick"],
+        /// Forward Euler (Pirovano, eq. 2.29): never stable undamped, 2 critically damped.
         Euler = integrate::EULER => &["euler_position", "euler_velocity"],
-        /// Semi-implicit Euler (eq. 2.30): to 2, and 0.828.
+        /// Semi-implicit Euler (Pirovano, eq. 2.30): 2 undamped, 0.828 critically damped.
         SemiImplicitEuler = integrate::SEMI_IMPLICIT_EULER => &["semi_implicit_position", "euler_velocity"],
-        /// Verlet, by the last displacement (eq. 2.31): to 2, and 0.732.
+        /// Verlet, with the last displacement as its history (Pirovano, eq. 2.31, corrected): 2 undamped, 0.732
+        /// critically damped.
         Verlet = integrate::VERLET => &["verlet_position", "verlet_velocity"],
-        /// Velocity Verlet (eq. 2.32): to 2, and 0.732. Verlet's motion, with other roundings.
+        /// Velocity Verlet (Pirovano, eq. 2.32): 2 undamped, 0.732 critically damped. The motion is Verlet's except
+        /// for rounding.
         VelocityVerlet = integrate::VELOCITY_VERLET => &["velocity_verlet_position", "velocity_verlet_velocity"],
-        /// Leapfrog (eq. 2.34; Roy): to 2, and 0.732. Again the same motion.
+        /// Leapfrog (Pirovano, eq. 2.34, corrected; Roy): 2 undamped, 0.732 critically damped. The motion is Verlet's
+        /// except for rounding.
         Leapfrog = integrate::LEAPFROG => &["leapfrog_position", "leapfrog_velocity"],
-        /// Clavet's prediction and relaxation (eq. 2.35): to 1.155, and 0.667.
+        /// Prediction and relaxation of Clavet et al. 2005 (Pirovano, eq. 2.35, corrected): 1.155 undamped, 0.667
+        /// critically damped.
         Clavet = integrate::PREDICTION_RELAXATION => &["clavet_prediction", "clavet_relaxation", "clavet_velocity"],
-        /// Beeman (eq. 2.36): to 2, and 0.534.
+        /// Beeman (Pirovano, eq. 2.36, corrected): 2 undamped, 0.534 critically damped.
         Beeman = integrate::BEEMAN => &["beeman_position", "beeman_velocity"],
-        /// With a predicted velocity (eq. 2.37): to 2, and 0.294.
+        /// Beeman with a predicted velocity (Pirovano, eq. 2.37): 2 undamped, 0.294 critically damped.
         VelocityCorrectedBeeman = integrate::VELOCITY_CORRECTED_BEEMAN =>
             &["beeman_position", "beeman_prediction", "velocity_corrected"],
-        /// With both predicted and corrected (eq. 2.38): not from 0 on, and to 0.26.
+        /// Beeman with predicted and corrected velocity and position (Pirovano, eq. 2.38, corrected): unstable
+        /// undamped at small steps, 0.26 critically damped.
         PositionCorrectedBeeman = integrate::POSITION_CORRECTED_BEEMAN =>
             &["beeman_position", "beeman_prediction", "position_corrected", "position_corrected_velocity"],
     }
 }
 
-/// How kernels are evaluated (Pirovano, section 4.2.3).
+/// How kernels are evaluated (Pirovano, section 4.2.3). Tables have 1025 entries with linear interpolation between
+/// them. On CPUs they are slower than the formulas.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(u32)]
 pub enum Evaluation {
-    /// By their formulas.
+    /// By their formulas (default).
     #[default]
     Direct = table::DIRECT,
-    /// From tables over the distance, between entries along straight lines.
+    /// From tables over the distance.
     Table = table::TABLE,
-    /// From tables over the squared distance, which spares the root.
+    /// From tables over the squared distance, which saves a square root.
     SquaredTable = table::SQUARED_TABLE,
 }
 
-/// How a pressure correction is iterated.
+/// How pressure correction iterates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(u32)]
 pub enum Iteration {
-    /// Towards the density that the speed of sound allows, with a relaxation taken from the lattice; the pressure is kept
-    /// from step to step.
+    /// Towards the compression that the pressure causes at the fluid's speed of sound, with a relaxation factor
+    /// derived from the initial lattice. Each step starts from the pressure of the last one (default).
     #[default]
     Relaxed = correction::RELAXED,
-    /// As printed (Pirovano eqs. 3.3 and 3.4, corrected): from no pressure, by the full stiffness. Refused where it cannot
+    /// As published (Pirovano, eqs. 3.3 and 3.4, corrected): from zero pressure, with the full stiffness. Scenes in
+    /// which sound travels more than 1.5 particle spacings per step are rejected, because this iteration would not
     /// converge.
     Literal = correction::LITERAL,
 }
@@ -263,14 +299,14 @@ pub enum Iteration {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Dimension {
-    /// The plane z = 0.
+    /// Two: the plane z = 0, with masses per metre of depth.
     Two,
-    /// Space.
+    /// Three.
     Three,
 }
 
 impl Dimension {
-    /// 2 or 3.
+    /// Returns 2 or 3.
     #[must_use]
     pub fn count(self) -> usize {
         match self {
@@ -280,21 +316,22 @@ impl Dimension {
     }
 }
 
-/// How much of a bounce a wall gives back.
+/// How much of the normal velocity a container wall returns to a particle that it reflects.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Reflection {
-    /// All that `restitution` says, however late the wall was found.
+    /// The full [`restitution`](super::Container::restitution), however far the particle came behind the wall.
     Full = 0,
-    /// Only the share of the path that lay behind the wall (Pirovano figure 3.8).
+    /// The restitution times the share of the step's path that lay behind the wall, `depth / (|v| dt)`, at most 1
+    /// (Kelager 2006; Pirovano, figure 3.8). This keeps a reflection from adding energy (default).
     #[default]
     EnergyConserving = 1,
 }
 
-/// Faces of a box.
+/// Number of faces of a box.
 pub const FACES: usize = 6;
 
-/// A face of a box, named as seen from inside.
+/// A face of a box, named as seen from its inside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Face {
@@ -313,47 +350,52 @@ pub enum Face {
 }
 
 impl Face {
-    /// All of them, low and high along x, y, z.
+    /// All faces: low and high along x, then y, then z.
     pub const ALL: [Face; FACES] = [Face::Left, Face::Right, Face::Floor, Face::Ceiling, Face::Back, Face::Front];
 
-    /// 0, 1, 2 for x, y, z.
+    /// Returns the axis of the face's normal: 0, 1, 2 for x, y, z.
     #[must_use]
     pub fn axis(self) -> usize {
         self as usize / 2
     }
 
-    /// Is it the high one of its axis?
+    /// Returns whether the face is the high one of its axis.
     #[must_use]
     pub fn is_high(self) -> bool {
         self as usize % 2 == 1
     }
 }
 
-/// How a particle's neighbours are walked.
+/// How the neighbours of a particle are visited.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(u32)]
 pub enum Traversal {
-    /// All cells around a particle's own: each pair is computed twice, once for each of its particles. It runs on both backends, and
-    /// is the faster one in lanes.
+    /// All cells around a particle's cell are searched, so each pair is computed twice, once for each of its
+    /// particles. It runs on CPU and GPU, and is the faster choice with SIMD (default).
     #[default]
     FullStencil = 0,
-    /// The half of those cells that lies ahead: each pair is computed once, and both of its particles get their share (Gourlay, Gourlay).
-    /// It works plane by plane, the even planes first. Its order of summation is its own and depends on the number of cells, and so
-    /// do its bits; they are the same at every level, on any number of threads and with either structure. It runs on the CPU alone,
-    /// and a scene is refused where a pair does not act alike on both particles, or where another pass needs all neighbours.
+    /// Only the cells ahead are searched, half of those around, so each pair is computed once and added to both of its
+    /// particles (Gourlay). Planes of cells are processed in two rounds, the even planes first. The order of summation
+    /// differs from that of `FullStencil` and depends on the number of cells; therefore the bits of the results do
+    /// too. They are the same at every SIMD level, on any number of threads and with either grid structure. It runs on
+    /// the CPU only, and is faster only without SIMD. Scenes are rejected where the contributions of a pair to its two
+    /// particles differ, or where another pass needs all neighbours of a particle.
     HalfStencil = 1,
 }
 
-/// How particles get into cells. Both give the same bits: inside a cell the order is always that of the ids.
+/// How particles are sorted into cells. Both structures give the same bits, because the particles of a cell are always
+/// in the order of their ids.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum GridStructure {
-    /// Count, prefix sum, place (Hinsch 2024, section 6.2): a cell holds any number.
+    /// Counting sort: count, prefix sum, scatter (Hinsch 2024, section 6.2). A cell can hold any number of particles.
     IndexSort,
-    /// A fixed number of places a cell (the CUDA design, Pirovano, section 4.4.2): one pass less, and a cell can be full.
+    /// A fixed number of places per cell (the CUDA design of Pirovano, section 4.4.2). It needs one pass less, but a
+    /// step fails with [`StepError::CellFull`](crate::StepError::CellFull) if a cell gets more particles than it has
+    /// places.
     CellLists {
-        /// Places of a cell.
+        /// Places per cell, at least 1. Cells times places must be less than 2^31.
         places: u32,
     },
 }

@@ -1,19 +1,21 @@
 //! Springs between the particles of an elastic fluid (Pirovano, section 2.2.6).
 
-/// How particles of a fluid with an [`elastic_stiffness`](super::Fluid::elastic_stiffness) are joined at the start. Springs
-/// are made once; none is ever added.
+/// How springs join the particles of a fluid with an [`elastic_stiffness`](super::Fluid::elastic_stiffness). Springs
+/// are created once, at the start; no spring is added later.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
 pub struct Elasticity {
-    /// Particles of one fluid are joined that are no farther apart than so many spacings (default 1.5: on a lattice the
-    /// nearest and the diagonal ones), and inside each other's support.
+    /// Largest distance at which two particles of one fluid are joined, in particle spacings, larger than 0 (default
+    /// 1.5: on a lattice these are the nearest particles and those diagonal to them in a plane). The two must also be
+    /// inside each other's support. A larger reach makes a stiffer and more expensive body.
     pub reach: f32,
-    /// Springs at most (default: as many as a lattice needs whose particles are shaken by the blocks' jitter). Blocks of one
-    /// fluid that overlap, or touch with their lattices out of step, and places of a host's own may need more.
+    /// Largest number of springs (default `None`: enough for the lattices of the blocks, with their jitter). Blocks of
+    /// one fluid that overlap, or that touch with lattices that do not match, and particles placed by the caller may
+    /// need more.
     pub capacity: Option<u32>,
-    /// Do lengths at rest give way to strain? (Clavet et al. 2005, section 5.2; default never.)
+    /// How rest lengths change under strain (Clavet et al. 2005, section 5.2; default `None`: never).
     pub plasticity: Option<Plasticity>,
-    /// Stretch, over its length at rest, at which a spring breaks for good (default never).
+    /// Elongation over rest length above which a spring breaks for good, larger than 0 (default `None`: never).
     pub break_at: Option<f32>,
 }
 
@@ -23,13 +25,14 @@ impl Default for Elasticity {
     }
 }
 
-/// A length at rest L follows the distance r where strain is larger than the yield: `dL/dt = rate (|r - L| - yield L)`
-/// towards r.
+/// Plastic flow of springs: where the strain exceeds the yield strain, the rest length L approaches the distance r of
+/// the two ends at the speed `rate (|r - L| - yield_strain L)` (Clavet et al. 2005, section 5.2).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Plasticity {
-    /// Share of the strain beyond the yield that is lost in a second, 1/s.
+    /// Rate at which the strain beyond the yield strain decays, 1/s, larger than 0 and at most one over the longest
+    /// time step, because a step may not remove more than all of the strain.
     pub rate: f32,
-    /// Strain that a spring bears without giving way, over its length at rest.
+    /// Strain up to which a spring is elastic: change of length over rest length, 0 or more.
     pub yield_strain: f32,
 }

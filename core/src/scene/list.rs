@@ -1,11 +1,11 @@
-//! The list of fluids in a scene file, which may also be a single fluid.
+//! Reads the fluids of a scene file, which are a list or a single fluid.
 use super::fluid::{FLUIDS, Fluid};
 use heapless::Vec;
 use serde::Deserialize;
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserializer, MapAccess, SeqAccess, Visitor};
 
-/// Reads one fluid or a list of them.
+/// Reads a list of fluids, or one fluid as a list of length 1.
 pub(super) fn one_or_several<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<Fluid, FLUIDS>, D::Error> {
     from.deserialize_any(Fluids)
 }

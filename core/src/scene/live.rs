@@ -1,24 +1,26 @@
-//! Terms that a scene keeps although they do nothing yet, so that they can be switched on between steps.
+//! Terms that a scene keeps although their coefficients are 0, so that they can be switched on between steps.
 
-/// A term that may be changed from nothing to something while the fluid runs ([`Scene::adjustable`](super::Scene::adjustable)).
+/// A term whose coefficient is 0 at the start and may be changed between steps
+/// ([`Scene::adjustable`](super::Scene::adjustable)). The plan keeps these terms; without this list it leaves out
+/// every term whose coefficient is 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Adjustable {
-    /// [`Solver::set_gravity`](crate::Solver::set_gravity).
+    /// Gravity: [`Solver::set_gravity`](crate::Solver::set_gravity).
     Gravity,
-    /// [`Solver::set_wind`](crate::Solver::set_wind).
+    /// Wind: [`Solver::set_wind`](crate::Solver::set_wind).
     Wind,
-    /// [`Solver::set_viscosity`](crate::Solver::set_viscosity).
+    /// Viscosity of fluids: [`Solver::set_viscosity`](crate::Solver::set_viscosity).
     Viscosity,
-    /// [`Solver::set_surface_tension`](crate::Solver::set_surface_tension).
+    /// Surface tension of fluids: [`Solver::set_surface_tension`](crate::Solver::set_surface_tension).
     SurfaceTension,
 }
 
 impl Adjustable {
-    /// How many there are.
+    /// Number of variants.
     pub const COUNT: usize = 4;
 
-    /// Its name in a scene, and the field that it is about.
+    /// Returns its name in a scene file, and the name of the field that it concerns.
     #[must_use]
     pub fn names(self) -> [&'static str; 2] {
         match self {

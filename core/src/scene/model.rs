@@ -1,79 +1,95 @@
-//! Which formulas a scene uses.
+//! The formulation of a scene: which formulas it uses, and their coefficients.
 use super::choice::{
     DensityForm, EquationOfState, Evaluation, Integrator, Iteration, Kernel, NearPressure, PressureForce,
     PressureSolver, SurfaceTension, Viscosity, WallPressure,
 };
 
-/// Which formula each term uses. The defaults are Pirovano's (section 4.1.2), in their forms for a single fluid.
+/// The formulas of a scene and their coefficients, which are the same for all fluids. The defaults are those of
+/// Pirovano, section 4.1.2, for a single fluid. [`Formulation::modern`] and [`Formulation::multiphase`] are better
+/// choices for new scenes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
 pub struct Formulation {
-    /// How particles are moved.
+    /// Time integration (default modified velocity Verlet). [`AdaptiveTimeStep`](super::AdaptiveTimeStep), air and
+    /// pressure correction each work with some integrators only.
     pub integrator: Integrator,
-    /// Evaluate forces once more at the end of a step, with the velocities that it came to (Pirovano eq. 2.33, corrected): twice the
-    /// cost, for stability under damping. Verlet's loses some of it and gains an order; the others keep theirs (default off).
+    /// Evaluates forces a second time at the end of each step, with the velocities of that time (Pirovano, eq. 2.33,
+    /// corrected; default off). This doubles the cost of a step and allows larger steps under damping. An exception is
+    /// Verlet, which becomes less stable but gains an order of accuracy; the other integrators keep their orders.
     pub reevaluate: bool,
-    /// Kernel of the density sum, and of XSPH.
+    /// Kernel of the density sum and of XSPH (default Poly6).
     pub density_kernel: Kernel,
-    /// Kernel of the pressure gradient, and of the divergence in the continuity equation.
+    /// Kernel of the pressure gradient and of the divergence in the continuity equation (default Spiky).
     pub pressure_kernel: Kernel,
-    /// Kernel of the viscosity.
+    /// Kernel of the viscosity (default the viscosity kernel of Mueller et al. 2003).
     pub viscosity_kernel: Kernel,
-    /// Kernels by formula or from tables.
+    /// Whether kernels are evaluated by their formulas or from tables (default formulas).
     pub evaluation: Evaluation,
-    /// Where density comes from.
+    /// How density is computed (default summation).
     pub density: DensityForm,
-    /// Start with the density that the weight of the fluid above asks for, and with masses to match (Roy, section 3.1).
+    /// Starts with the hydrostatic density of a fluid at rest under gravity, and with particle masses that match it
+    /// (Roy, section 3.1; default off). Each fluid is taken to be a layer perpendicular to gravity, from the highest
+    /// to the lowest point of its blocks. Use it for a fluid that is to be at rest at the start.
     #[cfg_attr(feature = "serde", serde(alias = "hydrostatic_start"))]
     pub initialize_hydrostatic: bool,
-    /// Give particles the mass with which the density sum over the lattice is the rest density.
+    /// Scales the particle mass so that the density sum over the initial lattice is exactly the rest density (default
+    /// off). Otherwise a particle has the mass `rest_density * particle_spacing^d` in d dimensions.
     #[cfg_attr(feature = "serde", serde(alias = "calibrated_mass"))]
     pub normalize_mass: bool,
-    /// Where pressure comes from.
+    /// How pressure is found (default by an equation of state).
     pub pressure_solver: PressureSolver,
-    /// Density to pressure, with [`PressureSolver::EquationOfState`].
+    /// How pressure follows from density (default Tait), with [`PressureSolver::EquationOfState`]. A fluid may have
+    /// its own ([`Fluid::equation_of_state`](super::Fluid::equation_of_state)).
     pub equation_of_state: EquationOfState,
     /// How pressure is iterated, with [`PressureSolver::PressureCorrection`].
     pub correction: Correction,
-    /// May pressure be negative? Suction holds a free cloud together, and lets particles pair without near pressure.
+    /// Whether pressure may be negative (default true). Negative pressure holds a fluid with free surfaces together,
+    /// but lets particles pair where there is no near pressure.
     #[cfg_attr(feature = "serde", serde(alias = "suction"))]
     pub negative_pressure: bool,
-    /// Pressure to force.
+    /// Form of the pressure gradient (default that of Mueller et al. 2003).
     pub pressure_force: PressureForce,
-    /// What keeps particles from pairing.
+    /// Near pressure, which keeps particles from pairing (default proportional to density).
     pub near_pressure: NearPressure,
-    /// How velocities diffuse.
+    /// Form of the viscosity (default that of Mueller et al. 2003). Its coefficient is
+    /// [`Fluid::dynamic_viscosity`](super::Fluid::dynamic_viscosity) or, for two of the forms, one of the next fields.
     pub viscosity: Viscosity,
-    /// Linear coefficient of the artificial viscosity (default 1). The formula has the support radius where Monaghan 1992 has the
-    /// smoothing length, half of it, so that the same alpha gives twice his viscosity.
+    /// Linear coefficient of [`Viscosity::Artificial`], 0 or more (default 1). The formula uses the support radius
+    /// where Monaghan 1992 uses the smoothing length, half of it. Therefore the same alpha gives twice his viscosity.
     pub alpha: f32,
-    /// Quadratic coefficient of the artificial viscosity (default 2).
+    /// Quadratic coefficient of [`Viscosity::Artificial`], 0 or more (default 2).
     pub beta: f32,
-    /// Share of the difference between two velocities that a neighbour at no distance exchanges in a step (Gourlay; 0 to 1, default
-    /// 0), for [`Viscosity::VelocityExchange`]. Where the shares of all neighbours add up to more than 1, they are scaled
-    /// down together: see [`terms::exchange`](crate::terms::exchange).
+    /// Coefficient of [`Viscosity::VelocityExchange`] (Gourlay), 0 to 1 (default 0): the share of the difference
+    /// between two velocities that the two particles exchange in a step at distance 0. If the shares of all neighbours
+    /// of a particle add up to more than 1, they are scaled down to a sum of 1.
     pub velocity_exchange: f32,
-    /// The same share of the velocity with which two particles approach each other (Gourlay's shock viscosity; 0 to 1, default 0). It
-    /// acts beside any viscosity.
+    /// The same coefficient for the part of the velocity with which two particles approach each other (Gourlay's shock
+    /// viscosity), 0 to 1 (default 0). It acts in addition to any [`Formulation::viscosity`].
     pub radial_exchange: f32,
-    /// How much a particle moves with its neighbours (XSPH: Monaghan 1989; Pirovano eq. 2.16, corrected; 0 to 1, default 0).
+    /// Coefficient of XSPH, 0 to 1 (Monaghan 1989; Pirovano, eq. 2.16, corrected; default 0, off): how much the
+    /// velocity with which a particle is moved is shifted towards the velocities of its neighbours. It makes the
+    /// motion smoother.
     pub xsph: f32,
-    /// How surfaces pull themselves together.
+    /// Model of the surface tension (default off). Its coefficient is
+    /// [`Fluid::surface_tension`](super::Fluid::surface_tension).
     pub surface_tension: SurfaceTension,
-    /// Length of a normal, over one over the support radius, above which a particle is at the surface (Pirovano, section 3.4.4's
-    /// threshold; default 0.1). With `Curvature` and `NormalCurvature` only those feel a tension.
+    /// Length of the normal, times the support radius, above which a particle counts as being at the surface
+    /// (Pirovano, section 3.4.4; default 0.1; larger than 0). With [`SurfaceTension::Curvature`] and
+    /// [`SurfaceTension::NormalCurvature`] tension acts only on these particles.
     pub surface_threshold: f32,
-    /// Find normals and who is at the surface for the host, also without a tension that needs them (default off).
+    /// Computes normals and surface flags for your program even if no surface tension needs them (default off).
     pub surface_normals: bool,
-    /// Keep account of heat: compression and what viscosity dissipates (Roy; Gourlay).
+    /// Integrates the internal energy of the particles: the work of compression and the dissipation of viscosity (Roy;
+    /// Gourlay; default off). It does not act back on the motion.
     #[cfg_attr(feature = "serde", serde(alias = "thermal_energy"))]
     pub internal_energy: bool,
-    /// Share of the dissipated energy that becomes internal energy (Gourlay's gain; 0 to 1, default 1), where
+    /// Share of the dissipated energy that becomes internal energy (Gourlay's gain), 0 to 1 (default 1). It is used if
     /// [`internal_energy`](Formulation::internal_energy) is on.
     pub heat_gain: f32,
-    /// Supports that follow the density, within bounds (Pirovano eq. 4.2, corrected; default: one for all).
+    /// Bounds of a variable support radius, which follows the density so that the number of neighbours stays constant
+    /// (Pirovano, eq. 4.2, corrected; default `None`, the scene's support radius for all particles).
     pub variable_support: Option<SupportRange>,
-    /// What a particle of a wall does to the pressure of its neighbours.
+    /// The pressure that fluid particles see at wall particles (default their own, mirrored).
     pub wall_pressure: WallPressure,
 }
 
@@ -113,8 +129,9 @@ impl Default for Formulation {
 }
 
 impl Formulation {
-    /// What the literature after Pirovano found to be better for one fluid: one kernel that does not pair for everything, the
-    /// symmetric gradient, Morris' viscosity, and no near pressure, which then has nothing to mend.
+    /// Returns the choices that later literature recommends for one fluid: a Wendland kernel throughout, with which
+    /// particles do not pair, the symmetric pressure gradient, the viscosity of Morris et al. 1997, and therefore no
+    /// near pressure.
     #[must_use]
     pub fn modern() -> Formulation {
         Formulation {
@@ -130,8 +147,8 @@ impl Formulation {
 }
 
 impl Formulation {
-    /// The modern choice for several fluids: a density adapted to contrasts (Pirovano, section 3.4.3), and the pressure force that
-    /// holds still where they meet.
+    /// Returns [`Formulation::modern`] for several fluids: a density form for fluids of different densities (Pirovano,
+    /// section 3.4.3), and the pressure force that keeps their interface at rest.
     #[must_use]
     pub fn multiphase() -> Formulation {
         Formulation {
@@ -142,20 +159,22 @@ impl Formulation {
     }
 }
 
-/// How far the pressure of a step is iterated (Pirovano, section 3.2.2, corrected).
+/// Settings of the pressure correction (Pirovano, section 3.2.2, corrected), used with
+/// [`PressureSolver::PressureCorrection`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
 pub struct Correction {
-    /// By which rule.
+    /// Rule of the iteration (default [`Iteration::Relaxed`]).
     pub iteration: Iteration,
-    /// Most iterations of a step, 1 to [`Correction::MOST`] (default 20).
+    /// Largest number of iterations in a step, 1 to [`Correction::MOST`] (default 20).
     pub iterations: u32,
-    /// Largest deviation from the density aimed at, as a share of the rest density, at which they end (default 0.001).
+    /// Largest deviation from the target density, as a share of the rest density, at which the iteration ends (default
+    /// 0.001; larger than 0). Smaller values are more accurate and need more iterations.
     pub tolerance: f32,
 }
 
 impl Correction {
-    /// Most iterations that a scene can ask for: a device is handed all of them at once.
+    /// Upper bound of [`Correction::iterations`]. It is finite because a GPU gets all iterations of a step in advance.
     pub const MOST: u32 = 200;
 }
 
@@ -165,12 +184,12 @@ impl Default for Correction {
     }
 }
 
-/// Bounds of a particle's support radius, as shares of the scene's.
+/// Bounds of a particle's support radius, as multiples of the scene's support radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct SupportRange {
-    /// Smallest, 0.5 to 1.
+    /// Lower bound, 0.5 to 1.
     pub smallest: f32,
-    /// Largest, 1 to 2; cells are made as large.
+    /// Upper bound, 1 to 2. The cells of the neighbour search grow with it, so a large bound costs time.
     pub largest: f32,
 }

@@ -1,29 +1,32 @@
-//! What holds a fluid and drives it from outside, and the cells that cover it.
+//! Container, walls, periodic domain, wind and acceleration field of a scene, and the grid of its neighbour search.
 use super::choice::{FACES, Face, GridStructure, Reflection, Traversal};
 use glam::Vec3;
 use heapless::Vec;
 
-/// Walls of particles that a scene can have.
+/// Largest number of walls in a scene.
 pub const WALLS: usize = 8;
 
-/// A box with penalty walls (Pirovano, section 3.5.1). Along a periodic axis it has none.
+/// A box of penalty planes (Pirovano, section 3.5.1): a particle found behind a plane is put back onto it, and its
+/// velocity is reflected. There are no planes along a periodic axis, and in 2D none along z.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Container {
     /// Lowest corner, m.
     pub low: Vec3,
-    /// Highest corner, m.
+    /// Highest corner, m; larger than `low` along every axis.
     pub high: Vec3,
-    /// Share of the normal velocity that a wall gives back, 0 to 1 (default 0).
+    /// Coefficient of restitution: share of the normal velocity that remains after a reflection, 0 to 1 (default 0, no
+    /// bounce).
     #[cfg_attr(feature = "serde", serde(default, alias = "bounce"))]
     pub restitution: f32,
-    /// Share of the tangential velocity that a wall leaves, 0 (no slip) to 1 (default 1).
+    /// Share of the tangential velocity that remains after a reflection, from 0 (no slip) to 1 (free slip; default 1).
     #[cfg_attr(feature = "serde", serde(default = "default_slip"))]
     pub slip: f32,
-    /// How much of a bounce is given back (default energy conserving).
+    /// Whether the restitution applies in full or in proportion to the depth behind the plane (default in proportion,
+    /// which conserves energy).
     #[cfg_attr(feature = "serde", serde(default))]
     pub reflection: Reflection,
-    /// Faces that are not there, such as a lid (Pirovano's direction control; default none missing).
+    /// Faces without a plane, such as the lid (Pirovano's direction control; default none).
     #[cfg_attr(feature = "serde", serde(default))]
     pub open: Vec<Face, FACES>,
 }
@@ -34,7 +37,7 @@ fn default_slip() -> f32 {
 }
 
 impl Container {
-    /// A closed box that gives back nothing and lets everything slide.
+    /// Returns a closed box without bounce and with free slip.
     #[must_use]
     pub fn closed(low: impl Into<Vec3>, high: impl Into<Vec3>) -> Container {
         let (low, high) = (low.into(), high.into());
@@ -42,27 +45,30 @@ impl Container {
     }
 }
 
-/// A wall made of particles that stand still: neighbours to the fluid in every sum, so that it feels pressure and drag.
-/// Two layers with mirrored pressure (Hinsch 2024, section 6.3), three as quasi-fluid (Pirovano, section 3.5.3).
+/// A wall of fixed particles. They are neighbours of the fluid particles in every sum, so the wall exerts pressure and
+/// viscous drag. It has two layers with mirrored pressure (Hinsch 2024, section 6.3) and three as dynamic boundary
+/// particles (Pirovano, section 3.5.3), or more if the support radius reaches further.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Wall {
-    /// Its shape.
+    /// Shape of the wall.
     pub shape: WallShape,
-    /// Velocity with which its surface slides past, m/s (default still). The particles themselves stay, as those of a
-    /// conveyor belt would be replaced by others.
+    /// Velocity with which the wall's surface slides, m/s (default 0). The particles themselves do not move, as if the
+    /// wall were an endless conveyor belt. The component along the normal of a plane must be 0.
     #[cfg_attr(feature = "serde", serde(default))]
     pub velocity: Vec3,
-    /// Which fluid it is like where it is quasi-fluid: its particles have that one's density (default 0, the first).
+    /// Index of the fluid whose density the wall particles have (default 0). It matters with
+    /// [`WallPressure::Dynamic`](super::WallPressure::Dynamic).
     #[cfg_attr(feature = "serde", serde(default))]
     pub fluid: u32,
-    /// Dynamic viscosity between it and a particle, Pa s (default the particle's own: no slip; 0: free slip).
+    /// Dynamic viscosity between the wall and a fluid particle, Pa s, 0 or more (default `None`: that of the fluid
+    /// particle, which means no slip; 0 means free slip).
     #[cfg_attr(feature = "serde", serde(default))]
     pub dynamic_viscosity: Option<f32>,
 }
 
 impl Wall {
-    /// One that stands still, of the first fluid's viscosity: no slip.
+    /// Returns a wall at rest with the defaults: no slip, and the density of the first fluid.
     #[must_use]
     pub fn still(shape: WallShape) -> Wall {
         Wall { shape, velocity: Vec3::ZERO, fluid: 0, dynamic_viscosity: None }
@@ -73,74 +79,82 @@ impl Wall {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub enum WallShape {
-    /// A rectangle across an axis; its layers lie behind it.
+    /// A rectangle perpendicular to an axis. The layers of particles lie behind it, on the side away from the fluid.
     Plane {
-        /// What it is to the fluid: a floor has the fluid above it, a ceiling below.
+        /// Face of the fluid's space that the rectangle forms: a floor has the fluid above it, a ceiling below it.
         face: Face,
         /// Lowest corner, m.
         low: Vec3,
-        /// Highest corner, m; along the face's axis the same as `low`.
+        /// Highest corner, m. It equals `low` along the axis of the face; along the other axes the extent is rounded
+        /// to whole particle spacings, at least one.
         high: Vec3,
     },
-    /// A hollow box; its layers lie outside.
+    /// A hollow box. The layers of particles lie outside of it.
     Box {
         /// Lowest corner of the inside, m.
         low: Vec3,
-        /// Highest corner of the inside, m.
+        /// Highest corner of the inside, m. The extents are rounded to whole particle spacings, at least one.
         high: Vec3,
-        /// Faces that are not there (default none missing).
+        /// Faces without particles (default none).
         #[cfg_attr(feature = "serde", serde(default))]
         open: Vec<Face, FACES>,
     },
 }
 
-/// A domain that wraps around: what leaves on one side comes back on the other, and sees across.
+/// A periodic domain: particles that leave it on one side enter on the opposite side, and neighbours are found across
+/// the boundary.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Periodic {
     /// Lowest corner, m.
     pub low: Vec3,
-    /// Highest corner, m.
+    /// Highest corner, m. Along a periodic axis the extent must hold at least 3 cells of the grid, a cell being a
+    /// little longer than the support radius, and every block and wall must fit into it.
     pub high: Vec3,
-    /// Along x, y, z?
+    /// Whether the domain is periodic along x, y and z. Along the other axes `low` and `high` are ignored.
     pub axes: [bool; 3],
 }
 
-/// Air that moves past and drags the fluid along (Pirovano, section 2.2.5's `f_other`): `a = drag (velocity - v)`.
+/// A wind that drags the fluid along with the acceleration `drag (velocity - v)` (`f_other` of Pirovano, section
+/// 2.2.5).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Wind {
-    /// Velocity of the air, m/s.
+    /// Velocity of the wind, m/s. In 2D its z component must be 0.
     pub velocity: Vec3,
-    /// Share of the difference in velocity that is lost in a second, 1/s.
+    /// Drag coefficient, 1/s, 0 or more: acceleration per difference of velocity.
     pub drag: f32,
 }
 
-/// A lattice of accelerations that the host fills, as often as it likes
-/// ([`Solver::set_field`](crate::Solver::set_field)): between its nodes the field is linear, and beyond
-/// the outermost it falls to nothing within a spacing.
+/// Lattice of an acceleration field supplied by the caller, who may set it before any step
+/// ([`Solver::set_field`](crate::Solver::set_field); 0 until then). Between the nodes the field is interpolated
+/// linearly; beyond the outermost nodes it falls to 0 within one spacing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct AccelerationField {
-    /// Place of the first node, m.
+    /// Position of the first node, m.
     pub low: Vec3,
-    /// Distance between nodes, m.
+    /// Distance between nodes, m, larger than 0.
     pub spacing: f32,
-    /// Nodes along x, y, z, at least 2 each; in 2D the one along z is ignored.
+    /// Number of nodes along x, y, z: at least 2 each, at most 2^22 in all (64 MiB). In 2D the number along z is
+    /// ignored.
     pub counts: [u32; 3],
 }
 
-/// The cells that neighbours are looked up in. They wrap, so the simulated volume is unbounded.
+/// The grid of the neighbour search. A cell is a little longer than the support radius. Cell indices wrap around, so
+/// the simulated volume is unbounded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
 pub struct Grid {
-    /// Cells along x, y, z (default 32 each, Pirovano, section 4.2.2). At least 3; in 2D the one along z is ignored, and along a
-    /// periodic axis there are as many as fit. With too few, particles that are far apart share cells. That costs
-    /// time; it never changes a bit with the full stencil, but does with the half stencil, whose sums follow the cells.
+    /// Number of cells along x, y, z, at least 3 each (default 32 each, Pirovano, section 4.2.2). In 2D the number
+    /// along z is ignored, and along a periodic axis as many cells are used as fit. The product, times the places per
+    /// cell of [`GridStructure::CellLists`], must be less than 2^31. If there are too few cells, particles that are
+    /// far apart share cells, which costs time. The number of cells never changes a bit with the full stencil; with
+    /// the half stencil it does, because the order of summation follows the cells.
     pub cells: [u32; 3],
-    /// How particles get into cells.
+    /// How particles are sorted into cells (default index sort).
     pub structure: GridStructure,
-    /// How neighbours are walked (default the full stencil).
+    /// How the neighbours of a particle are visited (default full stencil).
     pub traversal: Traversal,
 }
 

@@ -1,17 +1,18 @@
-//! Penalty walls (Pirovano, section 3.5.1). A wall is a plane `n . x = offset` with its normal n towards the fluid; a particle
-//! found behind it is put back and its velocity reflected.
+//! Penalty planes (Pirovano, section 3.5.1). A plane is `n . x = offset`, and its normal n points towards the fluid. A
+//! particle found behind the plane is moved back onto it, and its velocity is reflected.
 use super::geometry::*;
 use super::wall::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters, StepUniform};
 
-/// How far a particle stands behind the plane, m; negative in front of it.
+/// Returns the distance of a particle behind the plane, m; negative in front of it.
 #[inline(always)]
 pub fn depth_behind<R: Real>(position: vec3<R>, normal: vec3<R>, offset: R) -> R {
     return offset - dot3(position, normal);
 }
 
-/// The same for a particle of the fluid; one of a wall, or of air that is not there, stands where it stands.
+/// Returns `depth` for a fluid particle, and 0 for a wall particle or an inactive air particle, which planes do not
+/// move.
 #[inline(always)]
 pub fn depth_if_free<R: Real>(m: &Model, depth: R, wall: R) -> R {
     if m.wall_particles + m.has_air == NO_WALLS {
@@ -20,7 +21,7 @@ pub fn depth_if_free<R: Real>(m: &Model, depth: R, wall: R) -> R {
     return select(depth, real(0.0), less(real(0.0), wall));
 }
 
-/// `behind` for a particle behind the plane, else `before`.
+/// Returns `behind` for a particle behind the plane, else `before`.
 #[inline(always)]
 pub fn select_if_behind<R: Real>(before: vec3<R>, behind: vec3<R>, depth: R) -> vec3<R> {
     let nothing: R = real(0.0);
@@ -31,14 +32,15 @@ pub fn select_if_behind<R: Real>(before: vec3<R>, behind: vec3<R>, depth: R) -> 
     );
 }
 
-/// The particle, put back on the plane along the normal where it stands behind (Pirovano figure 3.7).
+/// Returns the position of a particle, moved along the normal onto the plane if it is behind it (Pirovano, figure 3.7).
 #[inline(always)]
 pub fn put_back<R: Real>(position: vec3<R>, normal: vec3<R>, depth: R) -> vec3<R> {
     return flush3(position + normal * larger(depth, real(0.0)));
 }
 
-/// How much of the normal velocity is given back: all that `restitution` says, or, conserving energy (Kelager 2006; Pirovano figure
-/// 3.8), only the share of the step's path that lay behind the wall, `depth / (|v| dt)`, which is at most all of it.
+/// Returns the share of the normal velocity that the plane gives back. It is `restitution`, or, if the reflection
+/// conserves energy (Kelager 2006; Pirovano, figure 3.8), `restitution` times the share of the step's path that lay
+/// behind the plane, `depth / (|v| dt)`, which is at most 1.
 #[inline(always)]
 pub fn returned_share<R: Real>(m: &Model, p: &Parameters, u: &StepUniform, velocity: vec3<R>, depth: R) -> R {
     let all: R = real(p.restitution);
@@ -49,7 +51,8 @@ pub fn returned_share<R: Real>(m: &Model, p: &Parameters, u: &StepUniform, veloc
     return smaller(div(depth, path), real(1.0)) * all;
 }
 
-/// `v' = -bounce v_n + slip v_t` for a particle behind the wall (Pirovano 3.5.1); one that already leaves it keeps its v_n.
+/// Returns `v' = -bounce v_n + slip v_t` for a particle behind the plane (Pirovano, section 3.5.1), where `bounce` is
+/// the [`returned_share`]. A particle that already moves away from the plane keeps its v_n.
 #[inline(always)]
 pub fn reflect<R: Real>(
     m: &Model,

@@ -1,11 +1,12 @@
-//! Springs between the particles of an elastic fluid (Pirovano, section 2.2.6 after Clavet et al. 2005).
+//! Springs between the particles of an elastic fluid (Pirovano, section 2.2.6; Clavet et al. 2005).
 use super::geometry::*;
 use super::pair::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Parameters, StepUniform};
 
-/// What a spring adds to the acceleration of the particle at one of its ends, `-1/2 (k / m_a) (r - L0) x_ab / r` (Pirovano eq. 2.26 per
-/// errata), m/s2; `pull` is `k / (2 m_a)`, 1/s2. A broken spring has a negative length at rest, and pulls nobody.
+/// Returns the contribution of a spring to the acceleration of a particle, `-1/2 (k / m_a) (r - L0) x_ab / r`
+/// (Pirovano, eq. 2.26, corrected), m/s2. The particle is at one end of the spring. `pull` is `k / (2 m_a)`, 1/s2. A
+/// broken spring has a negative rest length and exerts no force.
 #[inline(always)]
 pub fn spring_pull<R: Real>(x_ab: vec3<R>, rest_length: R, pull: R) -> vec3<R> {
     let nothing: R = real(0.0);
@@ -14,8 +15,8 @@ pub fn spring_pull<R: Real>(x_ab: vec3<R>, rest_length: R, pull: R) -> vec3<R> {
     return x_ab * -(select(along, nothing, less(rest_length, nothing)));
 }
 
-/// Length at rest after a step, m: it gives way to what strain is beyond the yield (Clavet et al. 2005, section 5.2), and is -1
-/// from where the spring breaks.
+/// Returns the rest length of a spring after a step, m. It changes where the strain exceeds the yield strain (Clavet
+/// et al. 2005, section 5.2), and is -1 from the step in which the spring breaks.
 #[inline(always)]
 pub fn spring_given_way<R: Real>(p: &Parameters, u: &StepUniform, x_ab: vec3<R>, rest_length: R) -> R {
     let nothing: R = real(0.0);

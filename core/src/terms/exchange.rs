@@ -1,8 +1,9 @@
-//! Gourlay's viscosity: neighbours exchange velocity, all of it ("shear") or the part with which they approach each other
-//! ("shock"). The source changes velocities in place, so that its result depends on the order of pairs; here each particle
-//! sums its changes from the old velocities. Where the shares of all neighbours come to more than 1, they are scaled
-//! down to 1: a particle then takes the mean of its neighbours' velocities, and none is ever reversed. Where
-//! that happens to one of a pair and not to the other, they do not act on each other alike, and momentum is not kept.
+//! Gourlay's viscosity: neighbours exchange the whole velocity difference ("shear"), the part with which they approach
+//! each other ("shock"), or both. Gourlay changes velocities in place, so that the result depends on the order of
+//! pairs; here each particle sums its changes from the old velocities. Where the shares of all neighbours add up to
+//! more than 1, they are scaled down to 1: the particle then takes the mean of its neighbours' velocities, and no
+//! velocity is reversed. Where this limit applies to only one particle of a pair, the two changes are not equal and
+//! opposite, and momentum is not conserved.
 use super::geometry::*;
 use super::kernel::*;
 use super::pair::*;
@@ -10,8 +11,9 @@ use super::wall::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters, StepUniform};
 
-/// Share of the difference to a neighbour that a particle takes: half of the gain, falling with distance, 0 for itself. Of
-/// two masses the lighter takes more, `m_b / ((m_a + m_b) / 2)`, so that what one gains in momentum the other loses.
+/// Returns the share of the velocity difference to a neighbour that a particle takes: half of the gain, falling
+/// linearly with distance, and 0 for the particle itself. The lighter particle takes more, `m_b / ((m_a + m_b) / 2)`,
+/// so that the exchange conserves momentum.
 #[inline(always)]
 pub fn exchange_weight<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>) -> R {
     let x_ab = separation(m, p, a.position, b.position);
@@ -24,14 +26,14 @@ pub fn exchange_weight<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local
     return share;
 }
 
-/// Of the velocity with which two particles approach each other: `v_ab . x_ab`, 0 where they part.
+/// Returns `v_ab . x_ab` for two particles that approach each other, and 0 for particles that separate.
 #[inline(always)]
 pub fn closing_speed<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>) -> R {
     let x_ab = separation(m, p, a.position, b.position);
     return smaller(dot3(a.velocity - b.velocity, x_ab), real(0.0));
 }
 
-/// What a neighbour adds to the sum of shares.
+/// Returns the contribution of a neighbour to the sum of shares.
 #[inline(always)]
 pub fn exchange_share<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>) -> R {
     let shock: R = real(p.radial_exchange);
@@ -39,7 +41,7 @@ pub fn exchange_share<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<
     return exchange_weight(m, p, a, b) * (closing + p.velocity_exchange);
 }
 
-/// What a neighbour adds to the change of velocity, m/s.
+/// Returns the contribution of a neighbour to the change of velocity in a step, m/s.
 #[inline(always)]
 pub fn exchange_neighbour<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>) -> vec3<R> {
     let x_ab = separation(m, p, a.position, b.position);
@@ -51,7 +53,8 @@ pub fn exchange_neighbour<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Lo
     return difference * exchange_weight(m, p, a, b);
 }
 
-/// What makes of a change in a step an acceleration, 1/s, `shares` being their sum.
+/// Returns the factor that converts the change of velocity in a step to an acceleration, 1/s. `shares` is the sum of
+/// shares; where it exceeds 1, the factor scales the change down.
 #[inline(always)]
 pub fn exchange_close<R: Real>(u: &StepUniform, shares: R) -> R {
     return div(real(u.inverse_time_step), larger(shares, real(1.0)));

@@ -1,10 +1,11 @@
-//! What acts from outside (Pirovano, section 2.2.5): gravity, the buoyancy of what surrounds the fluid, wind, a field of the host's.
+//! External accelerations (Pirovano, section 2.2.5): gravity, the buoyancy of a surrounding medium, wind, and an
+//! acceleration field supplied by the caller.
 use super::geometry::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters, StepUniform};
 
-/// `g (1 - rho_ambient / rho_a)` (Gourlay's body force), m/s2; all of g where nothing surrounds the fluid. `density` is over the
-/// first fluid's at rest.
+/// Returns `g (1 - rho_ambient / rho_a)` (Gourlay's body force), m/s2, or g where no medium surrounds the fluid.
+/// `density` is relative to the rest density of the first fluid.
 #[inline(always)]
 pub fn weight<R: Real>(m: &Model, p: &Parameters, u: &StepUniform, density: R) -> vec3<R> {
     let g = vec3(real(u.gravity[0]), real(u.gravity[1]), real(u.gravity[2]));
@@ -15,21 +16,23 @@ pub fn weight<R: Real>(m: &Model, p: &Parameters, u: &StepUniform, density: R) -
     return g * (one - div(real(p.ambient_ratio), density));
 }
 
-/// `drag (wind - v)`, m/s2.
+/// Returns `drag (wind - v)`, m/s2.
 #[inline(always)]
 pub fn wind_drag<R: Real>(u: &StepUniform, velocity: vec3<R>) -> vec3<R> {
     let wind = vec3(real(u.wind[0]), real(u.wind[1]), real(u.wind[2]));
     return (wind - velocity) * real(u.wind[3]);
 }
 
-/// Where a position lies between the nodes of the host's lattice, in spacings from the first.
+/// Returns a position in the lattice of the acceleration field supplied by the caller, in node spacings from the first
+/// node.
 #[inline(always)]
 pub fn field_place<R: Real>(p: &Parameters, position: vec3<R>) -> vec3<R> {
     let low = vec3(real(p.field_low[0]), real(p.field_low[1]), real(p.field_low[2]));
     return (position - low) * real(p.field_low[3]);
 }
 
-/// Share of a node in a value: `1 - |distance|` along each axis, 0 from the next node on. In the plane there is one layer.
+/// Returns the interpolation weight of a node: `1 - |distance|` along each axis, in node spacings, and 0 from the next
+/// node on. In 2D there is one layer of nodes.
 #[inline(always)]
 pub fn field_share<R: Real>(m: &Model, place: vec3<R>, node: vec3<R>) -> R {
     let one: R = real(1.0);
@@ -41,7 +44,8 @@ pub fn field_share<R: Real>(m: &Model, place: vec3<R>, node: vec3<R>) -> R {
     return x * y * larger(one - abs(place.z - node.z), real(0.0));
 }
 
-/// All that acts from outside but the host's field, added to what the neighbours do, m/s2.
+/// Returns the acceleration by neighbours, `internal`, plus gravity and wind, m/s2. The acceleration field supplied by
+/// the caller is not included.
 #[inline(always)]
 pub fn external_close<R: Real>(
     m: &Model,

@@ -1,8 +1,9 @@
-//! Thermal energy (Roy: `du_a/dt = 1/2 sum m_b (P_a / rho_a^2 + P_b / rho_b^2 + Pi_ab) v_ab . grad W`; Gourlay: what viscosity
-//! dissipates): half of the work that pressures and viscosity of a pair take from its motion, in whatever form. Taken with the
-//! velocities at the step, it is exactly what the two half kicks around it cost, so the sum of energies is kept to the order
-//! of the integrator. (But for exchanges of velocity that were cut down to a limit,
-//! for tensions, whose energy is in the surface, and for lengths of springs that gave way.)
+//! Internal energy (Roy: `du_a/dt = 1/2 sum m_b (P_a / rho_a^2 + P_b / rho_b^2 + Pi_ab) v_ab . grad W`; Gourlay: the
+//! energy that viscosity dissipates). A particle receives half of the work that pressure and viscosity of a pair take
+//! from its motion, whatever their form. Evaluated with the velocities at the end of the step, it is exactly the
+//! kinetic energy that the half kicks before and after that time cost, so the total energy is conserved to the order of
+//! the integrator. Not included are velocity exchanges that were limited, surface tension, whose energy is in the
+//! surface, and plastic changes of rest lengths of springs.
 use super::exchange::*;
 use super::geometry::*;
 use super::neighbour::*;
@@ -11,13 +12,14 @@ use super::viscosity::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters, StepUniform, Tables};
 
-/// Share of a pair's loss that heats `a`: half, and all of it where `b` is a wall, which keeps no account.
+/// Returns the share of a pair's loss that heats `a`: half, or all of it where `b` is a wall particle, whose internal
+/// energy is not tracked.
 #[inline(always)]
 pub fn heat_share<R: Real>(wall_b: R) -> R {
     return select(real(0.5), real(1.0), less(real(0.0), wall_b));
 }
 
-/// Heating of `a` by `b`, W/m3; `v_ab` with the velocities at the step.
+/// Returns the heating of `a` by `b`, W/m3. `v_ab` is the difference of the velocities at the end of the step.
 #[inline(always)]
 pub fn heat_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>, v_ab: vec3<R>) -> R {
     let x_ab = separation(m, p, a.position, b.position);
@@ -36,19 +38,19 @@ pub fn heat_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R
     return -((work + loss) * heat_share(b.wall));
 }
 
-/// Heating of `a` by an exchange of velocity with `b`, J/kg before the limit of the step.
+/// Returns the heating of `a` by a velocity exchange with `b` in a step, J/kg, before the exchange is limited.
 #[inline(always)]
 pub fn exchange_heat<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>, v_ab: vec3<R>) -> R {
     return -(dot3(exchange_neighbour(m, p, a, b), v_ab) * heat_share(b.wall) * p.heat_gain);
 }
 
-/// Rate of thermal energy, W/kg.
+/// Returns the rate of internal energy, W/kg.
 #[inline(always)]
 pub fn heat_close<R: Real>(m: &Model, p: &Parameters, sum: R, a: Local<R>) -> R {
     return flush(sum * inverse_density(m, p, a));
 }
 
-/// Thermal energy a step later, J/kg: the mean of the rates at its two ends.
+/// Returns the internal energy at the end of the step, J/kg, using the mean of the rates at both ends of the step.
 #[inline(always)]
 pub fn heat_stepped<R: Real>(u: &StepUniform, energy: R, rate_before: R, rate: R) -> R {
     return flush(energy + (rate_before + rate) * u.half_time_step);

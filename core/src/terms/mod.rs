@@ -1,18 +1,18 @@
-//! The physics, one family of formulas a file, each written once.
+//! The physics, one family of formulas per file, with each formula written once.
 //!
-//! rustc compiles this text for `f32` and for lanes; the GPU backend compiles the same text as WGSL. So it keeps to what
-//! the two languages share: functions, `let`, `if`, `return`, `+ - *`, the words of
+//! rustc compiles this text for `f32` and for SIMD lanes; the GPU backend compiles the same text as WGSL. The text
+//! therefore uses only what the two languages share: functions, `let`, `if`, `return`, `+ - *`, the intrinsics of
 //! [`real`](crate::arithmetic::real), `vec3`, plain structs and `u32` constants. Literals stand on the right of an
-//! operator, a literal 0 is never an operand of `+ - *`, attributes take one line. A function that reads the scene's
-//! constants takes `m: &Model`, `p: &Parameters`, `u: &StepUniform`, `t: &Tables` first, in this order; in WGSL these are global and the filter
-//! drops them.
+//! operator, a literal 0 is never an operand of `+ - *`, and an attribute takes one line. A function that reads the
+//! scene's constants takes `m: &Model`, `p: &Parameters`, `u: &StepUniform`, `t: &Tables` first, in this order. In WGSL
+//! these are global variables, and the conversion drops the arguments.
 //!
 //! Accelerations are sums of force densities (N/m3) divided by the density of the receiving particle.
 #![allow(clippy::needless_return, reason = "WGSL has no tail expressions")]
 #![allow(clippy::unreadable_literal, reason = "WGSL has no separators of digits")]
 #![allow(clippy::too_many_arguments, reason = "WGSL has no tuples, and no constructors that Rust would take")]
 
-/// Name and text of each term of a folder, for backends that compile them themselves.
+/// Declares the name and text of each term of a folder, for backends that compile the terms themselves.
 macro_rules! texts {
     ($($name:ident)*) => {
         /// Name and text of each term of this folder.
@@ -44,10 +44,10 @@ pub mod viscosity;
 pub mod wall;
 pub mod xsph;
 
-texts!(air boundary correction density elastic exchange external geometry heat near neighbour pair pressure state support
-    table tension time_step viscosity wall xsph);
+texts!(air boundary correction density elastic exchange external geometry heat near neighbour pair pressure state
+    support table tension time_step viscosity wall xsph);
 
-/// All texts, in any order: WGSL does not mind.
+/// Returns the name and text of every file of terms. The order is arbitrary, since WGSL does not depend on it.
 pub fn texts() -> impl Iterator<Item = (&'static str, &'static str)> {
     let folders = [("kernel", include_str!("kernel/mod.rs")), ("integrate", include_str!("integrate/mod.rs"))];
     let of = |texts: &'static [(&'static str, &'static str)]| texts.iter().copied();

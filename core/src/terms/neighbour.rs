@@ -1,4 +1,4 @@
-//! What one neighbour adds to the force on a particle, and what closes that sum.
+//! The force of one neighbour on a particle, and the acceleration that follows from the sum of these forces.
 use super::correction::*;
 use super::kernel::*;
 use super::near::*;
@@ -11,7 +11,7 @@ use super::wall::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters, Tables};
 
-/// Pressure as the factor of `x_ab / r` in the force density on `a`, N/m3.
+/// Returns the pressure force, as the factor of `x_ab / r` in the force density on `a`, N/m3.
 #[inline(always)]
 pub fn push_of_pressure<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>, q: R, scale: R) -> R {
     let slope = slope_scaled(m, pressure_slope(m, t, q), scale) * p.pressure_constant;
@@ -19,7 +19,7 @@ pub fn push_of_pressure<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local
     return pressure_pair(m, a, pressure_b, neighbour_volume(m, a, b), mass_ratio(m, a, b), slope);
 }
 
-/// Near pressure, likewise, N/m3.
+/// Returns the near pressure force, as the factor of `x_ab / r` in the force density on `a`, N/m3.
 #[inline(always)]
 pub fn push_of_near_pressure<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>, q: R, scale: R) -> R {
     if m.near_pressure == NEAR_OFF {
@@ -30,7 +30,8 @@ pub fn push_of_near_pressure<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b:
     return pressure_mueller(a.near_pressure, pressure_b, neighbour_volume(m, a, b), slope);
 }
 
-/// Both, likewise; a correction of pressure comes later, in passes of its own.
+/// Returns the sum of both pressure forces, as the factor of `x_ab / r` in the force density on `a`, N/m3. With the
+/// pressure correction it is the near pressure force only, because later passes add the corrected pressure.
 #[inline(always)]
 pub fn push_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>, q: R, scale: R) -> R {
     if m.pressure_solver == PRESSURE_CORRECTION {
@@ -43,14 +44,14 @@ pub fn push_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R
     return push + push_of_near_pressure(m, p, a, b, q, scale);
 }
 
-/// From the factor of `x_ab / r` to that of `x_ab`, exactly 0 for who is no neighbour: where a pressure is infinite, a zero
-/// slope alone would not keep it out.
+/// Converts a factor of `x_ab / r` to a factor of `x_ab`. The result is exactly 0 where the particles are not
+/// neighbours: for an infinite pressure a slope of zero alone would not achieve this.
 #[inline(always)]
 pub fn along_pair<R: Real>(p: &Parameters, push: R, q: R, scale: R) -> R {
     return if_inside(q, over_distance(push * scale * p.inverse_support, q));
 }
 
-/// Force density by which pressure alone acts on `a`, N/m3.
+/// Returns the force density of pressure alone on `a`, N/m3.
 #[inline(always)]
 pub fn pressure_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>) -> vec3<R> {
     let x_ab = separation(m, p, a.position, b.position);
@@ -59,7 +60,7 @@ pub fn pressure_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Loc
     return x_ab * along_pair(p, push_of_pressure(m, p, t, a, b, q, scale), q, scale);
 }
 
-/// Force density by which viscosity acts on `a`, N/m3, exactly 0 for who is no neighbour.
+/// Returns the force density of viscosity on `a`, N/m3; exactly 0 where the particles are not neighbours.
 #[inline(always)]
 pub fn drag_of_pair<R: Real>(
     m: &Model,
@@ -75,12 +76,12 @@ pub fn drag_of_pair<R: Real>(
     return vec3(if_inside(q, drag.x), if_inside(q, drag.y), if_inside(q, drag.z));
 }
 
-/// Pressure and viscosity, N/m3.
+/// Returns the force density of pressure and viscosity on `a`, N/m3.
 #[inline(always)]
 pub fn push_and_drag<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>) -> vec3<R> {
     let x_ab = separation(m, p, a.position, b.position);
     let scale = pair_scale(m, a.support, b.support);
-    // from the same q^2 by which the loops tell neighbours, so that who is not one adds exact zeros
+    // The loops select neighbours by the same q^2, so particles that are not neighbours add exact zeros.
     let q = root(squared_ratio(m, p, x_ab, scale));
     let pushed = x_ab * along_pair(p, push_neighbour(m, p, t, a, b, q, scale), q, scale);
     if m.viscosity == NO_VISCOSITY {
@@ -92,7 +93,8 @@ pub fn push_and_drag<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>
     return pushed + drag_of_pair(m, p, t, a, b, x_ab, q, scale);
 }
 
-/// Force density that `b` exerts on `a`, N/m3: pressure, then viscosity, then what draws particles of one fluid together.
+/// Returns the force density that `b` exerts on `a`, N/m3: pressure, then viscosity, then the attraction between
+/// particles of one fluid.
 #[inline(always)]
 pub fn force_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>) -> vec3<R> {
     let force = push_and_drag(m, p, t, a, b);
@@ -105,7 +107,7 @@ pub fn force_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<
     return force;
 }
 
-/// Acceleration of `a` (Pirovano eq. 2.8): the summed force density over its density, m/s2.
+/// Returns the acceleration of `a`, m/s2: the summed force density divided by the density of `a` (Pirovano, eq. 2.8).
 #[inline(always)]
 pub fn acceleration_close<R: Real>(m: &Model, p: &Parameters, force: vec3<R>, a: Local<R>) -> vec3<R> {
     return force * inverse_density(m, p, a);

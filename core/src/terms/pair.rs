@@ -1,65 +1,66 @@
-//! What two particles are to each other: the shortest way between them, and their common support.
+//! Quantities of a pair of particles: the separation to the nearest image, and the common support radius.
 use super::geometry::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters};
 
-/// What the pair terms know of a particle.
+/// The properties of a particle that the pair terms use.
 #[derive(Clone, Copy)]
 pub struct Local<R> {
-    /// Where it is, m.
+    /// Position, m.
     pub position: vec3<R>,
-    /// How fast it is, m/s.
+    /// Velocity, m/s.
     pub velocity: vec3<R>,
-    /// Its support radius over the scene's.
+    /// Support radius over that of the scene.
     pub support: R,
-    /// Its mass over that of a particle of its fluid at rest.
+    /// Mass over that of a particle of the same fluid at rest.
     pub mass: R,
-    /// `rho / rho0 - 1`.
+    /// Density deviation `rho / rho0 - 1`.
     pub deviation: R,
     /// Pressure, Pa.
     pub pressure: R,
     /// Near pressure, Pa.
     pub near_pressure: R,
-    /// Volume it stands for, m3 (m2 in 2D).
+    /// Volume, m3 (m2 in 2D).
     pub volume: R,
     /// Dynamic viscosity, Pa s.
     pub viscosity: R,
-    /// Larger than 0 for a particle of a wall, or of air that is not there; 0 for a fluid's.
+    /// Greater than 0 for a wall particle or an inactive air particle, 0 for a fluid particle.
     pub wall: R,
-    /// Rest density of its fluid over that of the scene's first.
+    /// Rest density of its fluid over that of the scene's first fluid.
     pub rest_ratio: R,
     /// Number of its fluid.
     pub fluid: R,
     /// Speed of sound of its fluid at rest, m/s.
     pub speed_of_sound: R,
-    /// Number of its equation of state.
+    /// Number of its fluid's equation of state.
     pub state_equation: R,
-    /// Surface tension of its fluid.
+    /// Surface tension of its fluid, in the unit of the chosen form.
     pub tension: R,
 }
 
-/// What the density pass knows of the receiving particle's fluid beside that.
+/// Further constants of the receiving particle's fluid, for density and the pressure correction.
 #[derive(Clone, Copy)]
 pub struct Stiffness<R> {
     /// Constant of the equation of state, Pa.
     pub state: R,
-    /// Near pressure at rest (thesis), or over the near sum (article), Pa.
+    /// Near pressure at rest (density-proportional) or over the near density sum (double density), Pa.
     pub near: R,
-    /// How much a pressure thins the density around it in a step, over the step's square, 1/(Pa s2).
+    /// Relative decrease of density that 1 Pa causes around a particle in a step, over the squared time step,
+    /// 1/(Pa s2).
     pub pressure_response: R,
-    /// What an iteration of pressure adds to that, 1/Pa.
+    /// Offset added to that decrease in an iteration of the pressure, 1/Pa.
     pub response_offset: R,
     /// `1 / (rho0 c0^2)`, 1/Pa.
     pub compressibility: R,
 }
 
-/// Do masses differ, by particle or by fluid?
+/// Returns whether masses differ between particles or between fluids.
 #[inline(always)]
 pub fn weighs(m: &Model) -> bool {
     return m.has_variable_mass + m.is_multi_fluid > 0;
 }
 
-/// Density over the rest density of the scene's first fluid.
+/// Returns the density over the rest density of the scene's first fluid.
 #[inline(always)]
 pub fn density_ratio<R: Real>(m: &Model, deviation: R, rest_ratio: R) -> R {
     if m.is_multi_fluid == 0 {
@@ -68,7 +69,7 @@ pub fn density_ratio<R: Real>(m: &Model, deviation: R, rest_ratio: R) -> R {
     return (deviation + 1.0) * rest_ratio;
 }
 
-/// Density as mass over volume, kg/m3.
+/// Returns the density, mass over volume, kg/m3.
 #[inline(always)]
 pub fn local_density<R: Real>(m: &Model, p: &Parameters, a: Local<R>) -> R {
     if m.has_number_density_volume == 1 {
@@ -77,7 +78,7 @@ pub fn local_density<R: Real>(m: &Model, p: &Parameters, a: Local<R>) -> R {
     return density_ratio(m, a.deviation, a.rest_ratio) * p.rest_density;
 }
 
-/// One over it: what makes of a force density an acceleration, `F_a / m_a = f_a V_a / m_a`, m3/kg.
+/// Returns the inverse density, m3/kg. It converts a force density to an acceleration, `F_a / m_a = f_a V_a / m_a`.
 #[inline(always)]
 pub fn inverse_density<R: Real>(m: &Model, p: &Parameters, a: Local<R>) -> R {
     if m.has_number_density_volume == 1 {
@@ -87,7 +88,7 @@ pub fn inverse_density<R: Real>(m: &Model, p: &Parameters, a: Local<R>) -> R {
     return div(one, density_ratio(m, a.deviation, a.rest_ratio) * p.rest_density);
 }
 
-/// A difference of coordinates, the shorter way round where the axis is periodic.
+/// Returns a difference of coordinates, taken the shorter way round where the axis is periodic.
 #[inline(always)]
 pub fn nearest<R: Real>(x: R, period: f32, half_period: f32) -> R {
     let half: R = real(half_period);
@@ -95,7 +96,7 @@ pub fn nearest<R: Real>(x: R, period: f32, half_period: f32) -> R {
     return select(down, down + period, less(down, -half));
 }
 
-/// `x_ab = x_a - x_b`, to the nearest image of b in a periodic domain.
+/// Returns `x_ab = x_a - x_b`, taken to the nearest image of b in a periodic domain.
 #[inline(always)]
 pub fn separation<R: Real>(m: &Model, p: &Parameters, x_a: vec3<R>, x_b: vec3<R>) -> vec3<R> {
     let x_ab = x_a - x_b;
@@ -108,7 +109,8 @@ pub fn separation<R: Real>(m: &Model, p: &Parameters, x_a: vec3<R>, x_b: vec3<R>
     return vec3(x, y, z);
 }
 
-/// Support of the scene over that of a pair: one symmetric `H_ab = (H_a + H_b) / 2`, so that action is reaction.
+/// Returns the support radius of the scene over that of a pair. The pair has one symmetric `H_ab = (H_a + H_b) / 2`, so
+/// that its forces are equal and opposite.
 #[inline(always)]
 pub fn pair_scale<R: Real>(m: &Model, support_a: R, support_b: R) -> R {
     if m.has_variable_support == 0 {
@@ -117,7 +119,7 @@ pub fn pair_scale<R: Real>(m: &Model, support_a: R, support_b: R) -> R {
     return div(real(2.0), support_a + support_b);
 }
 
-/// `q^2 = (r / H_ab)^2`.
+/// Returns `q^2 = (r / H_ab)^2`.
 #[inline(always)]
 pub fn squared_ratio<R: Real>(m: &Model, p: &Parameters, x_ab: vec3<R>, scale: R) -> R {
     let q2 = length2(x_ab) * p.inverse_support_squared;
@@ -127,7 +129,7 @@ pub fn squared_ratio<R: Real>(m: &Model, p: &Parameters, x_ab: vec3<R>, scale: R
     return q2 * scale * scale;
 }
 
-/// A kernel's value on a pair's own support, `1 / H^d`.
+/// Scales a kernel value to the pair's support radius, `1 / H^d`.
 #[inline(always)]
 pub fn value_scaled<R: Real>(m: &Model, x: R, scale: R) -> R {
     if m.has_variable_support == 0 {
@@ -139,7 +141,7 @@ pub fn value_scaled<R: Real>(m: &Model, x: R, scale: R) -> R {
     return x * scale * scale * scale;
 }
 
-/// A kernel's slope on a pair's own support, `1 / H^(d + 1)`.
+/// Scales a kernel slope to the pair's support radius, `1 / H^(d + 1)`.
 #[inline(always)]
 pub fn slope_scaled<R: Real>(m: &Model, x: R, scale: R) -> R {
     if m.has_variable_support == 0 {
@@ -148,7 +150,7 @@ pub fn slope_scaled<R: Real>(m: &Model, x: R, scale: R) -> R {
     return value_scaled(m, x, scale) * scale;
 }
 
-/// A kernel's Laplacian on a pair's own support, `1 / H^(d + 2)`.
+/// Scales a kernel Laplacian to the pair's support radius, `1 / H^(d + 2)`.
 #[inline(always)]
 pub fn laplacian_scaled<R: Real>(m: &Model, x: R, scale: R) -> R {
     if m.has_variable_support == 0 {
@@ -157,7 +159,7 @@ pub fn laplacian_scaled<R: Real>(m: &Model, x: R, scale: R) -> R {
     return value_scaled(m, x, scale) * scale * scale;
 }
 
-/// `x / q`, and 0 where two particles are at one place: they have no direction, so they do not push each other.
+/// Returns `x / q`, or 0 where two particles coincide: the pair has no direction, so they exert no force on each other.
 #[inline(always)]
 pub fn over_distance<R: Real>(x: R, q: R) -> R {
     return select(real(0.0), div(x, q), less(real(0.0), q));

@@ -1,4 +1,5 @@
-//! Viscosity, as the factor of `v_ab` in the force density on `a`, or of `x_ab` where it acts along the line of a pair.
+//! Viscosity, as the factor of `v_ab` in the force density on `a`, or of `x_ab` where the force acts along the line of
+//! the pair.
 use super::geometry::*;
 use super::pair::*;
 use super::state::*;
@@ -7,39 +8,42 @@ use super::wall::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters, Tables};
 
-/// None.
+/// No viscosity.
 pub const NO_VISCOSITY: u32 = 0;
-/// Mueller et al. 2003 (Pirovano eq. 2.24).
+/// Mueller et al. 2003 (Pirovano, eq. 2.24).
 pub const MUELLER_VISCOSITY: u32 = LAPLACIAN_VISCOSITY;
-/// Morris et al. 1997 (Pirovano eq. 2.23, corrected).
+/// Morris et al. 1997 (Pirovano, eq. 2.23, corrected).
 pub const MORRIS: u32 = 2;
-/// Monaghan 1992 (Pirovano eqs. 2.20 to 2.22, corrected).
+/// Artificial viscosity of Monaghan 1992 (Pirovano, eqs. 2.20 to 2.22, corrected).
 pub const ARTIFICIAL: u32 = 3;
-/// Hinsch 2024 eq. 4.5, corrected.
+/// Hinsch 2024, eq. 4.5, corrected.
 pub const MONAGHAN_GINGOLD: u32 = 4;
-/// Gourlay: see [`exchange`](super::exchange).
+/// Velocity exchange (Gourlay): see [`exchange`](super::exchange).
 pub const VELOCITY_EXCHANGE: u32 = 5;
-/// Solenthaler and Pajarola 2008 (Pirovano eq. 3.7, corrected).
+/// Solenthaler and Pajarola 2008 (Pirovano, eq. 3.7, corrected).
 pub const MUELLER_ADAPTED_VISCOSITY: u32 = ADAPTED_LAPLACIAN_VISCOSITY;
 
-/// Mueller et al. 2003, eq. 14: `f_a = mu sum V_b (v_b - v_a) laplacian W` (Pirovano eq. 2.24). The sign is in `v_ab`'s.
+/// Mueller et al. 2003, eq. 14 (Pirovano, eq. 2.24): `f_a = mu sum V_b (v_b - v_a) laplacian W`. The result is a factor
+/// of `v_ab = v_a - v_b`, so its sign is negative.
 ///
-/// Adapted to contrasts of density, `F_a = sum (mu_a + mu_b) / 2 (v_b - v_a) / (delta_a delta_b) laplacian W` in newtons (Pirovano eq. 3.7
-///, corrected): over the particle's own volume `1 / delta_a` the same formula.
+/// In newtons, `F_a = sum (mu_a + mu_b) / 2 (v_b - v_a) / (delta_a delta_b) laplacian W` is the form adapted to density
+/// contrasts (Pirovano, eq. 3.7, corrected). Divided by the particle's own volume `1 / delta_a`, it is the same
+/// formula.
 #[inline(always)]
 pub fn viscosity_mueller<R: Real>(viscosity: R, volume_b: R, laplacian: R) -> R {
     return -(viscosity * volume_b * laplacian);
 }
 
-/// Morris et al. 1997, eq. 22: `f_a = sum V_b (mu_a + mu_b) (x_ab . grad W) / (r^2 + 0.01 h^2) v_ab` (Pirovano eq. 2.23), here
-/// with the mean viscosity; `inverse_square` is `1 / (r^2 + 0.01 h^2)` and `x_ab . grad W = -r slope`.
+/// Morris et al. 1997, eq. 22: `f_a = sum V_b (mu_a + mu_b) (x_ab . grad W) / (r^2 + 0.01 h^2) v_ab` (Pirovano,
+/// eq. 2.23, corrected), with the mean viscosity. Here `inverse_square` is `1 / (r^2 + 0.01 h^2)` and `x_ab . grad W`
+/// is `-r slope`.
 #[inline(always)]
 pub fn viscosity_morris<R: Real>(viscosity: R, volume_b: R, r: R, slope: R, inverse_square: R) -> R {
     return -(viscosity * 2.0 * volume_b * slope * r * inverse_square);
 }
 
-/// The factor of `grad W` in `f_a = 2 (d + 2) mu sum V_b (v_ab . x_ab) / (r^2 + 0.01 h^2) grad W` (Hinsch 2024 eq. 4.5, corrected):
-/// it acts along the line of a pair and so keeps angular momentum.
+/// Returns the factor of `grad W` in `f_a = 2 (d + 2) mu sum V_b (v_ab . x_ab) / (r^2 + 0.01 h^2) grad W` (Hinsch 2024,
+/// eq. 4.5, corrected). The force acts along the line of the pair and therefore conserves angular momentum.
 #[inline(always)]
 pub fn viscosity_monaghan_gingold<R: Real>(
     p: &Parameters,
@@ -51,8 +55,9 @@ pub fn viscosity_monaghan_gingold<R: Real>(
     return viscosity * volume_b * approach * inverse_square * p.dotted_factor;
 }
 
-/// `rho_a m_b Pi_ab`, the factor of `-grad W` (Pirovano eqs. 2.20 to 2.22): `Pi = (-alpha c mu + beta mu^2) / rho`, means of the pair,
-/// `mu = H v_ab . x_ab / (r^2 + 0.01 h^2)`, only where two particles approach each other. `weight` is `rho_a m_b / rho`.
+/// Returns `rho_a m_b Pi_ab`, the factor of `-grad W`, with `Pi = (-alpha c mu + beta mu^2) / rho` and
+/// `mu = H v_ab . x_ab / (r^2 + 0.01 h^2)` (Pirovano, eqs. 2.20 to 2.22, corrected). c and rho are means of the pair.
+/// It acts only between particles that approach each other. `weight` is `rho_a m_b / rho`.
 #[inline(always)]
 pub fn viscosity_artificial<R: Real>(p: &Parameters, weight: R, sound: R, approach: R, inverse_square: R) -> R {
     let closing = smaller(approach, real(0.0));
@@ -60,7 +65,7 @@ pub fn viscosity_artificial<R: Real>(p: &Parameters, weight: R, sound: R, approa
     return (mu * mu * p.beta - mu * sound * p.alpha) * weight;
 }
 
-/// `rho_a m_b / ((rho_a + rho_b) / 2)`, kg/m3 times m3.
+/// Returns `rho_a m_b / ((rho_a + rho_b) / 2)`, kg.
 #[inline(always)]
 pub fn mean_density_weight<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: Local<R>) -> R {
     let both = (density_ratio(m, a.deviation, a.rest_ratio) + density_seen(m, a, b)) * p.rest_density;
@@ -68,7 +73,7 @@ pub fn mean_density_weight<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b: L
     return div(local_density(m, p, a) * mass * 2.0, both);
 }
 
-/// Force density of the chosen viscosity that `b` exerts on `a`, N/m3.
+/// Returns the force density of the chosen viscosity that `b` exerts on `a`, N/m3.
 #[inline(always)]
 pub fn viscosity_pair<R: Real>(
     m: &Model,
@@ -80,7 +85,8 @@ pub fn viscosity_pair<R: Real>(
     q: R,
     scale: R,
 ) -> vec3<R> {
-    // the fluid's velocity goes on behind a wall as it came, turned about the wall's: that makes the wall the place of no slip
+    // Behind a wall the fluid's velocity is mirrored about the wall's velocity, so that the no-slip condition holds at
+    // the wall.
     let v_ab = (a.velocity - b.velocity) * (b.wall + 1.0);
     let volume_b = neighbour_volume(m, a, b);
     let kernel = viscous_kernel(m, t, q);

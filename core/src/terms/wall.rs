@@ -1,17 +1,17 @@
-//! Walls of particles: what one of their particles is to a particle of the fluid.
+//! Walls made of particles: the values that a fluid particle sees of a wall particle.
 use super::pair::*;
 use crate::arithmetic::real::*;
 use crate::layout::Model;
 
-/// None.
+/// No wall particles.
 pub const NO_WALLS: u32 = 0;
-/// Hinsch 2024 algorithm 1.
+/// Mirroring wall particles (Hinsch 2024, algorithm 1).
 pub const MIRRORED: u32 = 1;
-/// Pirovano, section 3.5.3.
+/// Dynamic boundary particles (Pirovano, section 3.5.3).
 pub const DYNAMIC: u32 = 2;
 
-/// `x` of a neighbour in the fluid; of a mirroring wall, what the particle itself has (Hinsch 2024 algorithm 1): a pressure that
-/// always answers, and never pulls harder than the fluid does.
+/// Returns `x` for a neighbour in the fluid, and the particle's own value for a mirroring wall particle (Hinsch 2024,
+/// algorithm 1). With a mirrored pressure the wall always reacts, and never pulls harder than the fluid does.
 #[inline(always)]
 pub fn wall_mirrored<R: Real>(m: &Model, own: R, x: R, wall_b: R) -> R {
     if m.wall_particles == MIRRORED {
@@ -20,8 +20,9 @@ pub fn wall_mirrored<R: Real>(m: &Model, own: R, x: R, wall_b: R) -> R {
     return x;
 }
 
-/// Viscosity of a pair, Pa s: the mean, or that of the wall, from no slip to none (Pirovano, section 3.5.3); a wall that has none of
-/// its own, which is written as a negative one, has the particle's.
+/// Returns the viscosity of a pair, Pa s: the mean of both particles, or for a wall particle the viscosity of the wall,
+/// which ranges from no slip to no friction (Pirovano, section 3.5.3). A negative value stands for a wall without a
+/// viscosity of its own, which has that of the particle.
 #[inline(always)]
 pub fn pair_viscosity<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {
     if m.has_materials == 0 {
@@ -32,7 +33,7 @@ pub fn pair_viscosity<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {
     return select((a.viscosity + b.viscosity) * 0.5, of_wall, less(nothing, b.wall));
 }
 
-/// 0 for what a particle of a wall, or of air that is not there, would do, were it free.
+/// Returns `x` for a fluid particle, and 0 for a wall particle or an inactive air particle.
 #[inline(always)]
 pub fn if_free<R: Real>(m: &Model, x: vec3<R>, wall: R) -> vec3<R> {
     if m.wall_particles + m.has_air == NO_WALLS {
@@ -42,7 +43,7 @@ pub fn if_free<R: Real>(m: &Model, x: vec3<R>, wall: R) -> vec3<R> {
     return only_if_free(m, vec3(nothing, nothing, nothing), x, wall);
 }
 
-/// `free` for a particle that moves, `held` for one of a wall or of air that is not there.
+/// Returns `free` for a particle that moves, and `held` for a wall particle or an inactive air particle.
 #[inline(always)]
 pub fn only_if_free<R: Real>(m: &Model, held: vec3<R>, free: vec3<R>, wall: R) -> vec3<R> {
     if m.wall_particles + m.has_air == NO_WALLS {
@@ -52,8 +53,8 @@ pub fn only_if_free<R: Real>(m: &Model, held: vec3<R>, free: vec3<R>, wall: R) -
     return vec3(select(free.x, held.x, is_held), select(free.y, held.y, is_held), select(free.z, held.z, is_held));
 }
 
-/// Mass of a neighbour over that of a particle of the scene's first fluid at rest; a mirroring wall's is as if it were of
-/// the particle's own fluid.
+/// Returns the mass of a neighbour over that of a particle of the scene's first fluid at rest. A mirroring wall
+/// particle counts as one of the particle's own fluid.
 #[inline(always)]
 pub fn mass_seen<R: Real>(m: &Model, rest_a: R, mass_b: R, rest_b: R, wall_b: R) -> R {
     if m.is_multi_fluid == 0 {
@@ -62,14 +63,14 @@ pub fn mass_seen<R: Real>(m: &Model, rest_a: R, mass_b: R, rest_b: R, wall_b: R)
     return mass_b * wall_mirrored(m, rest_a, rest_b, wall_b);
 }
 
-/// Density of a neighbour over that of the scene's first fluid at rest; a mirroring wall's is as if it were of the particle's
-/// own fluid.
+/// Returns the density of a neighbour over the rest density of the scene's first fluid. A mirroring wall particle
+/// counts as one of the particle's own fluid.
 #[inline(always)]
 pub fn density_seen<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {
     return density_ratio(m, b.deviation, wall_mirrored(m, a.rest_ratio, b.rest_ratio, b.wall));
 }
 
-/// `m_b / m_a`.
+/// Returns `m_b / m_a`.
 #[inline(always)]
 pub fn mass_ratio<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {
     if m.is_multi_fluid == 0 {
@@ -78,7 +79,7 @@ pub fn mass_ratio<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {
     return div(mass_seen(m, a.rest_ratio, b.mass, b.rest_ratio, b.wall), a.mass * a.rest_ratio);
 }
 
-/// Volume that a neighbour stands for, m3: for a mirroring wall its own mass at the particle's density.
+/// Returns the volume of a neighbour, m3 (m2 in 2D). A mirroring wall particle has its own mass at the density of `a`.
 #[inline(always)]
 pub fn neighbour_volume<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {
     if m.has_variable_mass == 0 {

@@ -1,4 +1,5 @@
-//! XSPH (Monaghan 1989; Pirovano eq. 2.16, corrected, Roy): a particle moves with a velocity nearer to its neighbours'.
+//! XSPH (Monaghan 1989; Pirovano, eq. 2.16, corrected; Roy): a particle moves with a velocity closer to that of its
+//! neighbours.
 use super::geometry::*;
 use super::kernel::*;
 use super::pair::*;
@@ -7,7 +8,8 @@ use super::wall::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters, Tables};
 
-/// What a neighbour adds to `eta sum m_b / rho_mean_ab (v_b - v_a) W_ab`, m/s; eta and constants close the sum.
+/// Returns the contribution of a neighbour to `eta sum m_b / rho_mean_ab (v_b - v_a) W_ab`, m/s. Eta and the constants
+/// are applied to the whole sum.
 #[inline(always)]
 pub fn xsph_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>) -> vec3<R> {
     let x_ab = separation(m, p, a.position, b.position);
@@ -19,7 +21,7 @@ pub fn xsph_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R
     return (b.velocity - a.velocity) * if_inside(q2, div(w * mass * 2.0, both));
 }
 
-/// The velocity to move with beside the particle's own, m/s.
+/// Returns the velocity with which a particle moves in addition to its own, m/s.
 #[inline(always)]
 pub fn xsph_close<R: Real>(p: &Parameters, sum: vec3<R>) -> vec3<R> {
     return flush3(sum * real(p.xsph_constant));

@@ -1,10 +1,10 @@
-//! A scene that can run.
+//! A scene that passed validation.
 use crate::derive::Derived;
 use crate::derive::initial_particles::initial_particles;
 use crate::scene::{InitialParticle, Scene};
 use core::ops::Deref;
 
-/// A scene that [`Scene::check`] accepted, which alone makes one of these, with all that follows from it.
+/// A scene that can run, with all that is derived from it. Only [`Scene::check`] creates it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Checked<'s> {
     scene: &'s Scene,
@@ -16,19 +16,19 @@ impl<'s> Checked<'s> {
         Checked { scene, derived }
     }
 
-    /// The scene.
+    /// Returns the scene.
     #[must_use]
     pub fn scene(&self) -> &'s Scene {
         self.scene
     }
 
-    /// What follows from it.
+    /// Returns the constants and counts derived from the scene.
     #[must_use]
     pub fn derived(&self) -> &Derived {
         &self.derived
     }
 
-    /// Its particles, in order of their ids: the fluids, then the walls, then air that is not there yet.
+    /// Returns the scene's particles in the order of their ids: fluids, then walls, then inactive air.
     pub fn initial_particles(&self) -> impl Iterator<Item = InitialParticle> {
         initial_particles(self.scene, &self.derived)
     }

@@ -1,4 +1,4 @@
-//! Choices that do not go together, refused by name before anything is touched.
+//! Checks combinations of choices. The errors name both choices, the reason, and what to change.
 use super::bounds::{field, not_together, positive};
 use super::time::integrator;
 use super::traversal;
@@ -10,12 +10,13 @@ use crate::scene::{
 };
 use glam::Vec3;
 
-/// Spacings that sound may travel in a step of the literal pressure correction: beyond, its iteration grows (errata of Pirovano
-/// section 3.2.2).
+/// Particle spacings that sound may travel in a step of the literal pressure correction. Beyond, its iteration
+/// diverges (Pirovano, section 3.2.2, corrected).
 const LITERAL_SPACINGS: f32 = 1.5;
 
-/// Spacings that cells must have at least with air: from a place of birth, whoever could be about to give birth beside it is
-/// seen in the cells around, a spacing and the clearance of 3/4 away.
+/// Smallest edge of a cell with air, in particle spacings. The exposed particles that could spawn air too close to a
+/// spawn position are at most one spacing plus the clearance of 3/4 of a spacing away from it, so they lie in the
+/// cells around it.
 const CELLS_WITH_AIR: f64 = 1.75;
 
 pub(super) fn check(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
@@ -35,47 +36,51 @@ pub(super) fn check(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
     if model.internal_energy && one_sided {
         return Err(not_together(
             "model.internal_energy",
-            "a canonical or difference model.pressure_force",
-            "its pairs do not act on each other alike, so their work is nobody's",
+            "model.pressure_force Canonical or Difference",
+            "their pair forces are not equal and opposite, so the work they do cannot be assigned to either particle; \
+             use another pressure_force",
         ));
     }
     if scene.ambient_density > 0.0 && scene.gravity == Vec3::ZERO {
-        return Err(not_together("ambient_density", "no gravity", "nothing would be buoyant"));
+        return Err(not_together("ambient_density", "zero gravity", "without gravity nothing is buoyant; set gravity"));
     }
     let gas = |fluid: &Fluid| scene.equation_of(fluid) == EquationOfState::IdealGas;
     if model.initialize_hydrostatic && scene.fluids.iter().any(gas) {
         return Err(not_together(
             "model.initialize_hydrostatic",
-            "an equation_of_state IdealGas",
-            "a gas has no surface to measure depth from",
+            "equation_of_state IdealGas",
+            "a gas has no free surface from which to measure depth; use another equation_of_state, or turn \
+             initialize_hydrostatic off",
         ));
     }
     if model.initialize_hydrostatic && scene.fluids.iter().any(|fluid| scene.ambient_density >= fluid.rest_density) {
         return Err(not_together(
             "model.initialize_hydrostatic",
-            "an ambient_density as large as the fluid's",
-            "its surface would be at the other end",
+            "an ambient_density that is not below every rest_density",
+            "the fluid would be buoyant and its hydrostatic profile inverted; lower ambient_density, or turn \
+             initialize_hydrostatic off",
         ));
     }
     if model.initialize_hydrostatic && scene.gravity == Vec3::ZERO {
-        return Err(not_together("model.initialize_hydrostatic", "no gravity", "there is no weight to hold"));
+        return Err(not_together("model.initialize_hydrostatic", "zero gravity", "there is no weight; set gravity"));
     }
     Ok(())
 }
 
-/// A term can only be kept where there is a form of it.
+/// Rejects adjustable terms for which the formulation has no formula with a coefficient that can be changed.
 fn live(scene: &Scene) -> Result<(), SceneError> {
     let lists = |term: Adjustable| scene.adjustable.contains(&term);
     if lists(Adjustable::SurfaceTension) && scene.model.surface_tension == SurfaceTension::Off {
-        return Err(not_together("live SurfaceTension", "model.surface_tension Off", "there is no term to keep"));
+        return Err(not_together("adjustable SurfaceTension", "model.surface_tension Off", "choose a surface_tension"));
     }
     if lists(Adjustable::Viscosity)
         && matches!(scene.model.viscosity, Viscosity::Artificial | Viscosity::VelocityExchange)
     {
         return Err(not_together(
-            "live Viscosity",
-            "model.viscosity Artificial or Exchange",
-            "these have coefficients of their own, which stay as they are",
+            "adjustable Viscosity",
+            "model.viscosity Artificial or VelocityExchange",
+            "these use coefficients in model, which cannot be changed between steps, instead of dynamic_viscosity; \
+             use another model.viscosity, or omit Viscosity from adjustable",
         ));
     }
     Ok(())
@@ -86,16 +91,17 @@ fn kernels(scene: &Scene) -> Result<(), SceneError> {
     if model.density_kernel == Kernel::Viscosity {
         return Err(not_together(
             "model.density_kernel Viscosity",
-            "any density",
-            "its value at no distance, and so a particle's own share, is infinite",
+            "any model.density",
+            "it is infinite at distance 0, so a particle's contribution to its own density would be infinite; use \
+             another density_kernel",
         ));
     }
     if model.evaluation != Evaluation::Direct {
         if model.variable_support.is_some() {
             return Err(not_together(
                 "model.variable_support",
-                "model.evaluation from tables",
-                "a table is made for one support (Pirovano, section 4.2.3)",
+                "model.evaluation Table or SquaredTable",
+                "a table is computed for one support radius (Pirovano, section 4.2.3); use model.evaluation Direct",
             ));
         }
         let endless = model.pressure_kernel == Kernel::Viscosity
@@ -108,9 +114,10 @@ fn kernels(scene: &Scene) -> Result<(), SceneError> {
             };
         if endless {
             return Err(not_together(
-                "model.evaluation from tables",
-                "a kernel whose slope or Laplacian is infinite at no distance",
-                "no table ends there",
+                "model.evaluation Table or SquaredTable",
+                "a kernel whose slope or Laplacian is infinite at distance 0",
+                "a table cannot store an infinite value; use model.evaluation Direct, or another pressure_kernel or \
+                 viscosity_kernel",
             ));
         }
     }
@@ -124,7 +131,8 @@ fn pressure(scene: &Scene) -> Result<(), SceneError> {
         return Err(not_together(
             "model.pressure_force NumberDensity",
             "a model.density other than NumberDensity",
-            "it is the gradient on that density",
+            "this gradient is derived for the number density; use model.density NumberDensity, or another \
+             pressure_force",
         ));
     }
     let mirrored = !scene.walls.is_empty() && model.wall_pressure == WallPressure::Mirrored;
@@ -132,31 +140,33 @@ fn pressure(scene: &Scene) -> Result<(), SceneError> {
         return Err(not_together(
             "model.pressure_force Difference",
             "model.wall_pressure Mirrored",
-            "a mirrored pressure makes no difference, so nothing would hold the fluid",
+            "a mirrored pressure does not differ from the fluid's, so walls would not hold the fluid; use \
+             wall_pressure Dynamic, or another pressure_force",
         ));
     }
     if model.density == DensityForm::NumberDensity && model.initialize_hydrostatic {
         return Err(not_together(
             "model.initialize_hydrostatic",
             "model.density NumberDensity",
-            "masses that differ change no number",
+            "a number density ignores particle masses, which the hydrostatic start sets; use another model.density, \
+             or turn initialize_hydrostatic off",
         ));
     }
     let unused = |fluid: &Fluid| fluid.stiffness.is_some() && scene.equation_of(fluid) != EquationOfState::Tait;
     if let Some(number) = scene.fluids.iter().position(unused) {
         if scene.corrects_pressure() {
             let (field, solver) = (field!(number, "stiffness"), "model.pressure_solver PressureCorrection");
-            return Err(not_together(field, solver, "nothing would use it"));
+            return Err(not_together(field, solver, "it is unused, because pressure is iterated; omit it"));
         }
         return Err(not_together(
             field!(number, "stiffness"),
             "an equation_of_state other than Tait",
-            "it is the constant of that equation",
+            "it is the constant of Tait's equation; omit it, or use equation_of_state Tait",
         ));
     }
     let stiff = |fluid: &Fluid| fluid.near_stiffness.is_some_and(|k| k > 0.0);
     if let Some(number) = scene.fluids.iter().position(stiff).filter(|_| model.near_pressure == NearPressure::Off) {
-        return Err(not_together(field!(number, "near_stiffness"), "model.near_pressure Off", "nothing would use it"));
+        return Err(not_together(field!(number, "near_stiffness"), "model.near_pressure Off", "it is unused; omit it"));
     }
     Ok(())
 }
@@ -180,8 +190,9 @@ fn correction(scene: &Scene) -> Result<(), SceneError> {
     if !iterated.contains(&scene.model.pressure_force) {
         return Err(not_together(
             "model.pressure_solver PressureCorrection",
-            "a canonical model.pressure_force, one of Mueller's or one on Gourlay's number density",
-            "its iteration takes the whole gradient (Pirovano, section 3.2.2)",
+            "model.pressure_force Mueller, MuellerAdapted, Canonical or NumberDensity",
+            "its iteration is derived for other forms of the whole gradient (Pirovano, section 3.2.2); use Monaghan, \
+             MonaghanAdapted, DensityWeighted or Difference",
         ));
     }
     let fastest = scene.fluids.iter().map(|fluid| fluid.speed_of_sound).fold(0.0, f32::max);
@@ -199,7 +210,7 @@ fn fluids(scene: &Scene) -> Result<(), SceneError> {
         return Err(not_together(
             field!(number, "equation_of_state"),
             "model.pressure_solver PressureCorrection",
-            "pressure is iterated for all fluids, so that nothing would use it",
+            "it is unused, because pressure is iterated for all fluids; omit it",
         ));
     }
     let own_volumes =
@@ -207,8 +218,9 @@ fn fluids(scene: &Scene) -> Result<(), SceneError> {
     if model.viscosity == Viscosity::MuellerAdapted && !own_volumes {
         return Err(not_together(
             "model.viscosity MuellerAdapted",
-            "a model.density and a model.pressure_force that are not adapted",
-            "no number density is there for it",
+            "model.density Summation or Continuity without an adapted model.pressure_force",
+            "it needs a number density; use model.density SummationAdapted, ContinuityAdapted or NumberDensity, or \
+             model.pressure_force MuellerAdapted, MonaghanAdapted or DensityWeighted",
         ));
     }
     Ok(())
@@ -217,13 +229,14 @@ fn fluids(scene: &Scene) -> Result<(), SceneError> {
 fn springs(scene: &Scene) -> Result<(), SceneError> {
     let elastic = |fluid: &Fluid| fluid.elastic_stiffness > 0.0;
     if scene.elasticity != Elasticity::default() && !scene.fluids.iter().any(elastic) {
-        return Err(not_together("elasticity", "an elastic_stiffness of 0 in every fluid", "nothing would use it"));
+        return Err(not_together("elasticity", "an elastic_stiffness of 0 in every fluid", "it is unused; omit it"));
     }
     if scene.air.is_some_and(|air| elastic(scene.fluid_of(air.fluid))) {
         return Err(not_together(
             "air.fluid",
             "an elastic_stiffness of that fluid",
-            "springs would hold on to air that has vanished",
+            "springs would stay attached to air particles that have become inactive; set the elastic_stiffness of the \
+             air to 0",
         ));
     }
     Ok(())
@@ -236,14 +249,15 @@ fn tension(scene: &Scene) -> Result<(), SceneError> {
         return Err(not_together(
             field!(number, "surface_tension"),
             "model.surface_tension Off",
-            "nothing would use it",
+            "choose a model, or set it to 0",
         ));
     }
     if model.surface_tension == SurfaceTension::Curvature && model.density_kernel.is_cusped() {
         return Err(not_together(
             "model.surface_tension Curvature",
-            "a model.density_kernel with an edge at no distance",
-            "its Laplacian is infinite there",
+            "a model.density_kernel with a cusp at distance 0",
+            "the kernel's Laplacian is infinite there; use a smooth density_kernel such as WendlandC2, or \
+             model.surface_tension NormalCurvature",
         ));
     }
     Ok(())
@@ -254,22 +268,25 @@ fn air(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
     if fluid == 0 {
         return Err(not_together(
             "air.fluid 0",
-            "a coat of air",
-            "the first fluid is the liquid: a scene's constants are of it",
+            "a layer of air",
+            "fluid 0 must be the liquid, because the scene's constants refer to it; add a fluid for the air, and set \
+             air.fluid to its number",
         ));
     }
     if matches!(scene.grid.structure, GridStructure::CellLists { .. }) {
         return Err(not_together(
             "air",
-            "a grid.structure CellLists",
-            "all air that is not there lies in one cell, which would need a place for each",
+            "grid.structure CellLists",
+            "inactive air particles share one cell, which would need a place for each of them; use grid.structure \
+             IndexSort",
         ));
     }
     if scales.least_cell < CELLS_WITH_AIR * f64::from(scene.particle_spacing) {
         return Err(not_together(
             "air",
-            "so few average_neighbours",
-            "a support must reach 1.75 spacings, so that two that are made never meet",
+            "such a small average_neighbours",
+            "the support radius must be at least 1.75 particle spacings, so that air particles spawned in one step \
+             keep their distance; increase average_neighbours",
         ));
     }
     Ok(())

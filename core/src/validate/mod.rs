@@ -1,7 +1,7 @@
-//! What is refused: every reason for which a scene cannot run, said by name before anything is touched.
+//! Validation of scenes: finds every reason for which a scene cannot run, before any memory is written.
 //!
-//! The order is part of the promise: first the numbers one by one, which everything else follows from, then where things are,
-//! then choices that do not go together, then numbers that no f32 can hold.
+//! The order of the checks is part of the contract: first the single numbers, from which everything else is derived,
+//! then positions and extents, then combinations of choices, then derived constants that f32 cannot represent.
 mod bounds;
 mod checked;
 mod combinations;
@@ -23,10 +23,11 @@ use crate::error::SceneError;
 use crate::scene::Scene;
 
 impl Scene {
-    /// Refuses a scene that cannot run, naming the field and its value; or gives proof that it can, with what follows from it.
+    /// Checks whether the scene can run, and returns it together with all that is derived from it.
     ///
     /// # Errors
-    /// The first [`SceneError`] found: numbers first, then what does not go together.
+    /// The first [`SceneError`] found, which names the field and its value. Numbers are checked first, then positions
+    /// and extents, then combinations of choices.
     pub fn check(&self) -> Result<Checked<'_>, SceneError> {
         ranges::numbers(self)?;
         let scales = Scales::of(self);

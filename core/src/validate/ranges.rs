@@ -1,4 +1,4 @@
-//! What a number of a scene can be, one by one: finite, positive, within its bounds.
+//! Checks the numbers of a scene one by one: finite, positive, within bounds.
 use super::bounds::{MOST_PARTICLES, field, finite, known_fluid, not_negative, positive, share};
 use super::time::step_lengths;
 use crate::axis::Axis;
@@ -8,10 +8,10 @@ use crate::derive::scales::{Scales, average_neighbours};
 use crate::error::SceneError;
 use crate::scene::{Fluid, Formulation, Scene};
 
-/// Most nodes of a host's field: 64 MiB.
+/// Largest number of nodes of an acceleration field, 64 MiB.
 const MOST_NODES: u32 = 1 << 22;
 
-/// The numbers that all lengths, times and masses follow from.
+/// Checks the numbers from which all lengths, times and masses are derived.
 pub(super) fn numbers(scene: &Scene) -> Result<(), SceneError> {
     positive("particle_spacing", scene.particle_spacing)?;
     neighbours("average_neighbours", scene.average_neighbours)?;
@@ -26,7 +26,7 @@ pub(super) fn numbers(scene: &Scene) -> Result<(), SceneError> {
     coefficients(&scene.model)
 }
 
-/// Refuses supports that reach too far for sums over the lattice, where the scene needs them.
+/// Rejects support radii of too many particle spacings for sums over the lattice, where the scene needs these sums.
 pub(super) fn reach(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
     let sums = scene.model.normalize_mass || scene.corrects_pressure();
     let elastic = scene.fluids.iter().any(|fluid| fluid.elastic_stiffness > 0.0);
@@ -66,6 +66,7 @@ fn surroundings(scene: &Scene) -> Result<(), SceneError> {
     Ok(())
 }
 
+/// Checks the numbers of surfaces and of the layer of air.
 pub(super) fn surface(scene: &Scene) -> Result<(), SceneError> {
     positive("model.surface_threshold", scene.model.surface_threshold)?;
     let Some(air) = &scene.air else { return Ok(()) };
@@ -75,13 +76,14 @@ pub(super) fn surface(scene: &Scene) -> Result<(), SceneError> {
     share("air.minimum_density", air.minimum_density)
 }
 
+/// Checks the numbers of the springs.
 pub(super) fn elasticity(scene: &Scene) -> Result<(), SceneError> {
     let elasticity = &scene.elasticity;
     positive("elasticity.reach", elasticity.reach)?;
     if let Some(plasticity) = elasticity.plasticity {
         positive("elasticity.plasticity.rate", plasticity.rate)?;
         not_negative("elasticity.plasticity.yield_strain", plasticity.yield_strain)?;
-        // a length that gave way by more than all of the strain would turn round
+        // a step may not remove more than the whole strain, or its sign would change
         let most = 1.0 / scene.longest_step();
         if plasticity.rate > most {
             let (field, value) = ("elasticity.plasticity.rate", plasticity.rate);
@@ -94,7 +96,7 @@ pub(super) fn elasticity(scene: &Scene) -> Result<(), SceneError> {
     }
 }
 
-/// The coefficients of formulas, which are the same for all fluids.
+/// Checks the coefficients of formulas, which are the same for all fluids.
 fn coefficients(model: &Formulation) -> Result<(), SceneError> {
     not_negative("model.alpha", model.alpha)?;
     not_negative("model.beta", model.beta)?;
@@ -121,8 +123,8 @@ fn fluid((number, fluid): (usize, &Fluid)) -> Result<(), SceneError> {
     fluid.colour.iter().flatten().try_for_each(|&colour| share(field!(number, "colour"), colour))
 }
 
-/// Refuses supports of hardly anything, and of more particles than there can be: their constants would be no numbers, and the
-/// fault would seem to be another's.
+/// Rejects neighbour counts for which derived constants would not be finite, so that the error names this field and
+/// not another.
 fn neighbours(field: &'static str, value: f32) -> Result<(), SceneError> {
     positive(field, value)?;
     let (least, most) = (0.001, MOST_PARTICLES as f32);

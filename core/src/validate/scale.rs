@@ -1,10 +1,10 @@
-//! What follows from the numbers of a scene must be a number too, one that an f32 holds.
+//! Checks that the constants derived from a scene are finite and positive as f32.
 use super::bounds::field;
 use crate::derive::Derived;
 use crate::error::SceneError;
 use crate::scene::Scene;
 
-/// Refuses what follows where no f32 holds it, by the field that it follows from.
+/// Rejects derived constants that f32 cannot represent; the error names the field from which they are derived.
 pub(super) fn check(scene: &Scene, derived: &Derived) -> Result<(), SceneError> {
     let (p, materials) = (&derived.parameters, &derived.materials);
     let scale = |field, value, derived: &[f32]| {

@@ -1,4 +1,4 @@
-//! Where things may be: blocks, walls, the container, the periodic domain, and the cells that cover them.
+//! Checks positions and extents: blocks, walls, container, periodic domain, and the cells of the grid.
 use super::bounds::{MOST_PARTICLES, check_count, finite, known_fluid, not_negative, positive, share};
 use crate::axis::Axis;
 use crate::derive::counts::Counts;
@@ -6,8 +6,8 @@ use crate::derive::sampling::lattice::{counts, whole};
 use crate::error::SceneError;
 use crate::scene::{Container, Dimension, Face, GridStructure, Scene, Wall, WallShape};
 
-/// How far from the origin a block may start, in particle spacings: there f32 still tells 128 places apart between a particle and
-/// the next.
+/// Largest distance of a block's corner from the origin along an axis, in particle spacings. At this distance f32
+/// still resolves 1/128 of a spacing.
 pub const MOST_SPACINGS_AWAY: f32 = 65_536.0;
 
 pub(super) fn blocks(scene: &Scene, count: &Counts) -> Result<(), SceneError> {
@@ -31,7 +31,7 @@ pub(super) fn blocks(scene: &Scene, count: &Counts) -> Result<(), SceneError> {
     check_count(count.fluid)
 }
 
-/// Refuses a coordinate where f32 has too few digits left for places between particles.
+/// Rejects a coordinate at which f32 has too few digits for distances between particles.
 fn distance(scene: &Scene, field: &'static str, value: f32) -> Result<(), SceneError> {
     let most = MOST_SPACINGS_AWAY * scene.particle_spacing;
     if value.abs() > most { Err(SceneError::OutOfBounds { field, value, least: -most, most }) } else { Ok(()) }
@@ -52,9 +52,10 @@ pub(super) fn container(scene: &Scene) -> Result<(), SceneError> {
     blocks_inside(scene, container)
 }
 
-/// A block that reaches through a closed wall would be crushed onto it by the first step.
+/// Rejects blocks that reach through a closed face of the container: the first step would project their particles onto
+/// its plane.
 fn blocks_inside(scene: &Scene, container: &Container) -> Result<(), SceneError> {
-    // sizes are rounded to whole particles, and ends computed in f32
+    // sizes are rounded to whole particles, and the ends are computed in f32
     let slack = 0.51 * scene.particle_spacing;
     for (block, b) in scene.blocks.iter().enumerate() {
         for axis in 0..scene.dimension.count() {
@@ -150,6 +151,7 @@ pub(super) fn walls(scene: &Scene, count: &Counts) -> Result<(), SceneError> {
     check_count(count.all())
 }
 
+/// Rejects gravity and velocities along z in 2D.
 pub(super) fn plane(scene: &Scene) -> Result<(), SceneError> {
     let tilted = scene.gravity[2] != 0.0
         || scene.blocks.iter().any(|b| b.velocity[2] != 0.0)
@@ -158,7 +160,7 @@ pub(super) fn plane(scene: &Scene) -> Result<(), SceneError> {
     if scene.dimension == Dimension::Two && tilted { Err(SceneError::OutOfPlane) } else { Ok(()) }
 }
 
-/// In the plane there is no wall across z.
+/// Returns whether a wall is possible in this dimension: in 2D no plane is perpendicular to z.
 fn is_in_space(wall: &Wall, dimension: Dimension) -> bool {
     match &wall.shape {
         WallShape::Plane { face, .. } => face.axis() < dimension.count(),

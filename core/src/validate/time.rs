@@ -1,9 +1,9 @@
-//! How time may be stepped: bounds of an adaptive step, and what goes with which integrator.
+//! Checks the time step: bounds of an adaptive step, and what can be combined with which integrator.
 use super::bounds::{field, finite, not_together, positive};
 use crate::error::SceneError;
 use crate::scene::{AdaptiveTimeStep, Integrator, Scene, Viscosity};
 
-/// The bounds of an adaptive step.
+/// Checks the numbers of an adaptive time step, and the coefficient of a stiffness derived from the time step.
 pub(super) fn step_lengths(scene: &Scene) -> Result<(), SceneError> {
     if let Some(courant) = scene.stiffness_for_time_step {
         positive("stiffness_for_time_step", courant)?;
@@ -34,7 +34,7 @@ pub(super) fn step_lengths(scene: &Scene) -> Result<(), SceneError> {
     Ok(())
 }
 
-/// What goes with the integrator.
+/// Checks what is combined with the integrator.
 pub(super) fn integrator(scene: &Scene) -> Result<(), SceneError> {
     let model = &scene.model;
     let changes = model.integrator.allows_changing_steps();
@@ -43,26 +43,29 @@ pub(super) fn integrator(scene: &Scene) -> Result<(), SceneError> {
         if !changes {
             return Err(not_together(
                 "adaptive",
-                "a model.integrator Verlet or one of Beeman's",
-                "what it remembers of the step before is of a step of the same length",
+                "model.integrator Verlet or any variant of Beeman",
+                "their history of the last step assumes steps of equal length; use another integrator, such as \
+                 ModifiedVelocityVerlet",
             ));
         }
         if [speed, acceleration, sound, viscosity].iter().all(Option::is_none) {
-            return Err(not_together("adaptive", "no criterion", "there is nothing for the time step to follow"));
+            return Err(not_together("adaptive", "all criteria off", "set its speed, acceleration, sound or viscosity"));
         }
         if model.viscosity == Viscosity::VelocityExchange || scene.model.radial_exchange > 0.0 {
             return Err(not_together(
                 "adaptive",
-                "exchanges of velocity",
-                "their shares are of a step, so that with its length the viscosity would change",
+                "model.viscosity VelocityExchange or a model.radial_exchange above 0",
+                "these exchange a share of velocity per step, so the viscosity would change with the time step; use \
+                 another viscosity and set radial_exchange to 0",
             ));
         }
     }
     if scene.air.is_some() && !changes {
         return Err(not_together(
             "air",
-            "a model.integrator Verlet or one of Beeman's",
-            "air that has just been made has no step before to remember",
+            "model.integrator Verlet or any variant of Beeman",
+            "they need a history of the last step, which new air particles do not have; use another integrator, such \
+             as ModifiedVelocityVerlet",
         ));
     }
     let drifts = matches!(model.integrator, Integrator::ModifiedVelocityVerlet | Integrator::SemiImplicitEuler);
@@ -70,35 +73,37 @@ pub(super) fn integrator(scene: &Scene) -> Result<(), SceneError> {
         return Err(not_together(
             "model.pressure_solver PressureCorrection",
             "a model.integrator other than ModifiedVelocityVerlet or SemiImplicitEuler",
-            "pressure is iterated for the velocity that these drift with",
+            "pressure is iterated for the velocity with which these two move the particles; use one of them",
         ));
     }
     if model.reevaluate {
         if matches!(model.integrator, Integrator::Euler | Integrator::SemiImplicitEuler) {
             return Err(not_together(
                 "model.reevaluate",
-                "one of Euler's for model.integrator",
-                "forces are evaluated with the velocity at the end of the step already",
+                "model.integrator Euler or SemiImplicitEuler",
+                "these already evaluate forces with the velocity at the end of the step; turn reevaluate off",
             ));
         }
         if matches!(model.integrator, Integrator::Clavet | Integrator::PositionCorrectedBeeman) {
             return Err(not_together(
                 "model.reevaluate",
-                "a model.integrator Clavet or PositionCorrectedBeeman",
-                "it moves particles after the forces, so that neighbours would have to be found again",
+                "model.integrator Clavet or PositionCorrectedBeeman",
+                "these move particles after the forces, so neighbours would have to be found again; turn reevaluate \
+                 off, or use another integrator",
             ));
         }
         if corrects {
             return Err(not_together(
                 "model.reevaluate",
                 "model.pressure_solver PressureCorrection",
-                "the pressure was iterated for the forces without it",
+                "the pressure is iterated for the forces of the first evaluation; turn reevaluate off",
             ));
         }
     }
     stiffness(scene)
 }
 
+/// Checks what is combined with a stiffness derived from the time step.
 fn stiffness(scene: &Scene) -> Result<(), SceneError> {
     if scene.stiffness_for_time_step.is_none() {
         return Ok(());
@@ -107,17 +112,18 @@ fn stiffness(scene: &Scene) -> Result<(), SceneError> {
         return Err(not_together(
             "stiffness_for_time_step",
             "adaptive",
-            "either the stiffness follows from the time step or the time step from the stiffness",
+            "one derives the stiffness from the time step, the other the time step from the stiffness; omit one of \
+             them",
         ));
     }
     if let Some(number) = scene.fluids.iter().position(|fluid| fluid.stiffness.is_some()) {
-        return Err(not_together("stiffness_for_time_step", field!(number, "stiffness"), "it already says how stiff"));
+        return Err(not_together("stiffness_for_time_step", field!(number, "stiffness"), "omit one of the two"));
     }
     if scene.corrects_pressure() {
         return Err(not_together(
             "stiffness_for_time_step",
             "model.pressure_solver PressureCorrection",
-            "sound that is iterated for does not limit the time step",
+            "with a pressure solver the speed of sound does not limit the time step; omit stiffness_for_time_step",
         ));
     }
     Ok(())

@@ -1,43 +1,47 @@
-//! Refuses what the half stencil cannot do.
+//! Rejects what the half stencil does not support.
 use super::bounds::not_together;
 use crate::error::SceneError;
 use crate::scene::{DensityForm, PressureForce, Scene, SurfaceTension, Traversal, Viscosity};
 
+/// Rejects scenes with the half stencil in which the contributions of a pair to its two particles differ, or in which
+/// another pass needs all neighbours of a particle.
 pub(super) fn check(scene: &Scene) -> Result<(), SceneError> {
     if scene.grid.traversal == Traversal::FullStencil {
         return Ok(());
     }
     let model = &scene.model;
-    let alike = "it takes what a pair adds to one particle from what it adds to the other, which here differ";
-    let once = "it computes each pair once, and this takes another look at all of a particle's neighbours";
+    let alike = "it derives the contribution of a pair to one particle from that to the other, which is not possible \
+                 here; use FullStencil";
+    let once = "it computes each pair once, and this needs another pass over all neighbours of a particle; use \
+                FullStencil";
     let refused = [
         (
             matches!(model.pressure_force, PressureForce::Canonical | PressureForce::Difference),
-            "a canonical or difference model.pressure_force",
+            "model.pressure_force Canonical or Difference",
             alike,
         ),
-        (!scene.walls.is_empty(), "walls of particles", alike),
+        (!scene.walls.is_empty(), "walls", alike),
         (
             model.initialize_hydrostatic
                 && matches!(model.surface_tension, SurfaceTension::Attraction | SurfaceTension::GradientSum),
-            "model.initialize_hydrostatic and a model.surface_tension between pairs",
+            "model.initialize_hydrostatic and model.surface_tension Attraction or GradientSum",
             alike,
         ),
-        (model.variable_support.is_some(), "model.variable_support", "it searches by one support for all"),
+        (model.variable_support.is_some(), "model.variable_support", "it searches with one radius; use FullStencil"),
         (
             matches!(model.density, DensityForm::Continuity | DensityForm::ContinuityAdapted),
-            "a model.density that is stepped",
-            "it sums what follows from distances, and this needs velocities",
+            "model.density Continuity or ContinuityAdapted",
+            "its density pass uses distances only, and these need velocities; use FullStencil",
         ),
         (scene.corrects_pressure(), "model.pressure_solver PressureCorrection", once),
         (
             matches!(model.surface_tension, SurfaceTension::Curvature | SurfaceTension::NormalCurvature),
-            "a model.surface_tension by curvature",
+            "model.surface_tension Curvature or NormalCurvature",
             once,
         ),
         (model.surface_normals, "model.surface_normals", once),
         (model.internal_energy, "model.internal_energy", once),
-        (model.viscosity == Viscosity::VelocityExchange, "model.viscosity Exchange", once),
+        (model.viscosity == Viscosity::VelocityExchange, "model.viscosity VelocityExchange", once),
         (model.radial_exchange != 0.0, "model.radial_exchange", once),
         (model.xsph != 0.0, "model.xsph", once),
         (scene.air.is_some(), "air", once),

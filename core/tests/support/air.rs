@@ -1,4 +1,4 @@
-//! Drops with a coat of air; for CPU and device alike.
+//! Drops with a layer of air, for tests of the CPU and of a device.
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     Air, Block, Container, Dimension, Face, Fluid, Formulation, Grid, Periodic, PressureSolver, Scene, SupportRange,
@@ -8,7 +8,8 @@ use millpond_core::scene::{
 /// Spacing, m.
 pub const SPACING: f32 = 0.05;
 
-/// Water that spins, six particles an edge, in a space that is wide enough; air a tenth as heavy and as hard to compress.
+/// Returns a moving block of water, six particles per edge, in open space, and air with a tenth of its density and the
+/// same stiffness.
 pub fn drop(dimension: Dimension, capacity: u32) -> Scene {
     let water = Fluid { dynamic_viscosity: 1.0, ..Fluid::default() };
     let air = Fluid { rest_density: 100.0, speed_of_sound: 31.0, dynamic_viscosity: 0.1, ..Fluid::default() };
@@ -26,13 +27,13 @@ pub fn drop(dimension: Dimension, capacity: u32) -> Scene {
     scene
 }
 
-/// In the plane and in space.
+/// Returns the drop in 2D and in 3D.
 pub fn both() -> [Scene; 2] {
     [drop(Dimension::Two, 300), drop(Dimension::Three, 1500)]
 }
 
-/// Scenes that ask everything of it: a surface tension, walls of both sorts, a domain that wraps around, springs, corrected
-/// pressure, and a capacity that is too small.
+/// Returns scenes that combine air with other features: surface tension, walls of both kinds, a periodic domain,
+/// springs, corrected pressure, and too small a capacity.
 pub fn scenes(base: &Scene) -> Vec<(&'static str, Scene)> {
     let changed = |change: &dyn Fn(&mut Scene)| {
         let mut scene = base.clone();

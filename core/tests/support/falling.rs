@@ -1,8 +1,8 @@
-//! A block that falls, whose time step follows it; for CPU and device alike.
+//! A falling block with an adaptive time step, for tests of the CPU and of a device.
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{AdaptiveTimeStep, Block, Container, Dimension, Fluid, Formulation, Grid, Scene};
 
-/// A block that falls onto a floor: slow, then fast, then hard.
+/// Returns a block that falls onto a floor: it moves slowly, then fast, and then hits hard.
 pub fn falling() -> Scene {
     let fluid = Fluid { speed_of_sound: 20.0, dynamic_viscosity: 2.0, ..Fluid::default() };
     let block = Block {
@@ -20,7 +20,8 @@ pub fn falling() -> Scene {
     scene
 }
 
-/// With a criterion that the impact tightens by more than what a step may miss it by.
+/// Returns the falling block with a criterion that tightens at the impact by more than a step may exceed it, so that
+/// steps are rejected.
 pub fn impact() -> Scene {
     let mut scene = falling();
     scene.time_step = 4e-3;

@@ -1,9 +1,9 @@
-//! What lies in folders.
+//! Lists files of folders.
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// `folder/name` of the files with an extension in the folders of a folder that begin with a letter and an underscore, as those of
-/// passes do.
+/// Returns `folder/name` of the files with this extension in those folders under `root` whose names begin with a letter
+/// and an underscore, as the folders of passes do.
 pub fn passes_in(root: &Path, extension: &str) -> BTreeSet<String> {
     let entries = |folder: &Path| {
         let all = std::fs::read_dir(folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));

@@ -1,5 +1,5 @@
-//! What tests of a fluid share, and need nothing but core for: small scenes, threads, random numbers. The tests of `gpu/tests`
-//! and `tests` read this text too.
+//! Helpers for tests of a fluid that need only core: small scenes, threads, random numbers. The tests in `gpu/tests`
+//! and `tests` include this file too.
 #![allow(dead_code, unreachable_pub, reason = "each test uses its part")]
 use millpond_core::backend::plan::arrays::{Class, Unit};
 use millpond_core::glam::Vec3;
@@ -13,7 +13,8 @@ pub mod falling;
 pub mod files;
 pub mod refused;
 
-/// The cube of the thesis (Pirovano, section 5.2), of `edge` m and 8000 particles a cubic metre: nothing but each other.
+/// Returns the cube of Pirovano, section 5.2, with an edge of `edge` m and 8000 particles per cubic metre. No external
+/// force acts on it.
 pub fn thesis_cube(edge: f32) -> Scene {
     let fluid = Fluid { dynamic_viscosity: 10.0, ..Fluid::default() };
     let block = Block { corner: Vec3::splat(-edge / 2.0), size: Vec3::splat(edge), ..Block::default() };
@@ -23,7 +24,7 @@ pub fn thesis_cube(edge: f32) -> Scene {
     scene
 }
 
-/// The choices of a dam break.
+/// Returns the formulation of a dam break.
 fn of_a_dam() -> Formulation {
     Formulation {
         density_kernel: Kernel::CubicSpline,
@@ -35,7 +36,8 @@ fn of_a_dam() -> Formulation {
     }
 }
 
-/// A column of water that falls into a box, both `scale` times as long as of 21 000 particles.
+/// Returns a column of water that falls into a box. All lengths are multiplied by `scale`; with 1 there are 21 000
+/// particles.
 pub fn dam_break(scale: f32) -> Scene {
     let fluid = Fluid { speed_of_sound: 20.0, dynamic_viscosity: 5.0, ..Fluid::default() };
     let block = Block { size: Vec3::new(1.2, 1.4, 0.8).map(|x| x * scale), jitter: 0.02, ..Block::default() };
@@ -48,7 +50,7 @@ pub fn dam_break(scale: f32) -> Scene {
     scene
 }
 
-/// The same in the plane, `scale` times as long as of 3200 particles.
+/// Returns a dam break in 2D. All lengths are multiplied by `scale`; with 1 there are 3200 particles.
 pub fn dam_break_2d(scale: f32) -> Scene {
     let fluid = Fluid { speed_of_sound: 25.0, dynamic_viscosity: 5.0, ..Fluid::default() };
     let block = Block { size: Vec3::new(scale, 2.0 * scale, 0.0), jitter: 0.02, ..Block::default() };
@@ -62,33 +64,33 @@ pub fn dam_break_2d(scale: f32) -> Scene {
     scene
 }
 
-/// A scene with all that follows from it.
+/// Checks a scene and returns it with everything derived from it.
 pub fn checked(scene: &Scene) -> Checked<'_> {
     scene.check().expect("a scene")
 }
 
-/// Memory for `count` particles in the cells of `scene`.
+/// Allocates memory for `count` particles in the cells of `scene`.
 pub fn heap_for(scene: &Scene, count: usize) -> OwnedMemory {
     OwnedMemory::with(&Requirements::of(&checked(scene)).for_particles(count))
 }
 
-/// A solver of particles at rest at these places.
+/// Returns a solver with particles at rest at these positions.
 pub fn at_rest<'a>(scene: &Scene, positions: &[[f32; 3]], heap: &'a mut OwnedMemory) -> Solver<'a> {
     let places = positions.iter().map(|&position| InitialParticle::at(position, [0.0; 3]));
     let scene = checked(scene);
     Solver::with_particles(&scene, Plan::of(&scene), positions.len(), places, heap.lend()).expect("a scene")
 }
 
-/// Every word of a fluid's state by particle id, and its clock: two are equal where every bit is.
+/// Every word of a fluid's state, ordered by particle id, and its clock. Two of these are equal only if every bit is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Words {
     arrays: Vec<Vec<u32>>,
-    /// What became of the time step.
+    /// Report on the time step.
     pub clock: TimeReport,
 }
 
 impl Words {
-    /// Of arrays whose particles lie in these slots.
+    /// Takes the words of arrays whose particles lie in these slots (places in memory).
     pub fn of<'a>(slots: &[u32], words: impl Fn(Array) -> &'a [u32], clock: TimeReport) -> Words {
         let state = Array::ALL.iter().copied().filter(|array| array.class() == Class::State);
         let by_id = |array: Array| {
@@ -101,13 +103,13 @@ impl Words {
         Words { arrays: state.map(by_id).collect(), clock }
     }
 
-    /// Of a solver.
+    /// Takes the words of a solver.
     pub fn of_cpu(solver: &Solver<'_>) -> Words {
         Words::of(solver.slots(), |array| solver.words(array), solver.time_report())
     }
 }
 
-/// So many threads of the standard library, made anew for each pass.
+/// An executor with this number of threads of the standard library, which are created anew for each pass.
 #[derive(Clone, Copy, Debug)]
 pub struct Threads(pub usize);
 
@@ -130,11 +132,11 @@ impl Executor for Threads {
     }
 }
 
-/// Random numbers that are always the same ones (splitmix64).
+/// Random numbers with a fixed seed, always the same ones (splitmix64).
 pub struct Random(pub u64);
 
 impl Random {
-    /// Any bits.
+    /// Returns 32 random bits.
     pub fn bits(&mut self) -> u32 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -142,18 +144,18 @@ impl Random {
         (z ^ (z >> 31)) as u32
     }
 
-    /// Between 0 and 1.
+    /// Returns a random number between 0 and 1.
     pub fn unit(&mut self) -> f32 {
         (self.bits() >> 8) as f32 / (1u32 << 24) as f32
     }
 }
 
-/// The particles that a scene starts with.
+/// Returns the particles that a scene starts with.
 pub fn start(scene: &Scene) -> Vec<InitialParticle> {
     checked(scene).initial_particles().collect()
 }
 
-/// So many particles more, in a cube of half a spacing at the place of the first one.
+/// Adds `count` particles in a cube of half a spacing at the position of the first particle.
 pub fn with_a_crowd(scene: &Scene, mut places: Vec<InitialParticle>, count: usize) -> Vec<InitialParticle> {
     let first = places[0];
     let offset = |i: usize| [7, 11, 13].map(|n| (i * n % 97) as f32 / 97.0 * 0.5 * scene.particle_spacing);

@@ -1,12 +1,14 @@
-// Division and root, correctly rounded on a device whose own are off by up to three units in the last place.
+// Correctly rounded division and square root, for a device whose own results are off by up to three units in the last
+// place.
 //
-// Take the device's result as a guess at the 24 leading bits, and correct it by its remainder. The remainder is small, so
-// its low 32 bits, all that integers here have, are all of it. Numbers that are not normal keep the device's own result.
+// The result of the device serves as a guess for the 24 leading bits, which is then corrected by its remainder.
+// Integers have only 32 bits here, which hold the low bits of the remainder. Since the remainder is small, these bits
+// are all of it. If an operand or the result is not a normal number, the result of the device is kept.
 const LEADING_BIT: u32 = 0x800000u;
 fn leading_bits(x: u32) -> u32 { return (x & 0x7fffffu) | LEADING_BIT; }
 fn exponent(x: u32) -> i32 { return i32((x >> 23u) & 0xffu); }
 fn is_normal(x: u32) -> bool { let e = exponent(x); return e > 0 && e < 255; }
-// A guess whose exponent is one off has its leading bits moved by one place.
+// If the exponent of the guess is off by one, its leading bits are shifted by one place.
 fn moved_to(guess: u32, wanted: i32) -> u32 {
   let bits = leading_bits(guess);
   if exponent(guess) > wanted { return bits << 1u; }
@@ -19,7 +21,7 @@ fn div(x: R, y: R) -> R {
   let a = bitcast<u32>(x);
   let b = bitcast<u32>(y);
   let divisor = leading_bits(b);
-  // the quotient of the leading bits lies in [1/2, 2): below 1 it takes one place more
+  // the quotient of the leading bits lies in [1/2, 2); below 1 it takes one more place
   let below_one = select(0u, 1u, leading_bits(a) < divisor);
   let e = exponent(a) - exponent(b) + 127 - i32(below_one);
   var bits = moved_to(bitcast<u32>(quotient), e);
@@ -28,7 +30,7 @@ fn div(x: R, y: R) -> R {
     if remainder < 0 { bits -= 1u; remainder += i32(divisor); }
     if remainder >= i32(divisor) { bits += 1u; remainder -= i32(divisor); }
   }
-  // a tie cannot be: it would need a quotient of 25 bits times a divisor of 24 to have 47
+  // there are no ties: the product of a quotient of 25 bits and a divisor of 24 bits would need 47 bits
   if 2 * remainder > i32(divisor) { bits += 1u; }
   let sign = (a ^ b) & 0x80000000u;
   let exact = sign | ((u32(e) << 23u) + bits - LEADING_BIT);
@@ -47,7 +49,7 @@ fn root(x: R) -> R {
     if remainder < 0 { bits -= 1u; remainder += i32(2u * bits + 1u); }
     if remainder > i32(2u * bits) { remainder -= i32(2u * bits + 1u); bits += 1u; }
   }
-  // beyond the middle: (bits + 1/2)^2 = bits^2 + bits + 1/4
+  // round up beyond the middle: (bits + 1/2)^2 = bits^2 + bits + 1/4
   if remainder > i32(bits) { bits += 1u; }
   let exact = bitcast<f32>((u32(e) << 23u) + bits - LEADING_BIT);
   return select(guess, exact, is_normal(a) && (a >> 31u) == 0u);

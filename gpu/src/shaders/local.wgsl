@@ -1,4 +1,4 @@
-// What the pair passes read of a particle. Twin: core/src/passes/local.rs.
+// The data of a particle that passes over pairs read. CPU counterpart: core/src/passes/local.rs.
 fn local(a: u32) -> Local {
   let x = new_position[a];
   let v = new_velocity[a];

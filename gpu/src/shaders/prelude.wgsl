@@ -1,5 +1,5 @@
-// The vocabulary of the terms that WGSL lacks, and the names of the shared types. Before it stands one of the two files
-// with `div` and `root`. Twin: core/src/arithmetic/real.rs.
+// The intrinsics of the terms that WGSL lacks, and the names of the shared types. One of the two files with the
+// intrinsics div and root comes first. CPU counterpart: core/src/arithmetic/real.rs.
 alias R = f32;
 alias f32x4 = vec4<f32>;
 alias u32x4 = vec4<u32>;

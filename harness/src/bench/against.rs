@@ -1,5 +1,5 @@
-//! Two builds of this program, timed in turn: what a change of the code does to a step, on a machine that others use
-//! too.
+//! Two builds of this program, timed alternately: shows what a code change does to the time of a step, even on a shared
+//! machine.
 use super::Options;
 use crate::failure::Failure;
 use crate::output::deliver;
@@ -11,22 +11,22 @@ use std::process::{Command, Stdio};
 /// Result of `bench --against`.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Against {
-    /// Shortest step of each round, ms: this build's.
+    /// Shortest step of each round with this build, ms.
     pub this: Vec<f64>,
-    /// The other's.
+    /// Shortest step of each round with the other build, ms.
     pub other: Vec<f64>,
-    /// The shortest of all, this build's over the other's.
+    /// Shortest step of all rounds with this build, divided by that with the other build.
     pub ratio: f64,
 }
 
-/// Runs both, in turn.
+/// Runs the two builds alternately.
 ///
 /// # Errors
-/// A binary that does not start, fails, or says something else than a bench does.
+/// A binary that does not start, fails, or does not print the JSON document of `bench`.
 pub(super) fn execute(options: &Options, other: &Path) -> Result<bool, Failure> {
-    let this = std::env::current_exe()
-        .map_err(|e| Failure::System(format!("this program does not find its own file: {e}")))?;
-    // a name alone would be looked for among the system's programs
+    let this =
+        std::env::current_exe().map_err(|e| Failure::System(format!("cannot find the file of this program: {e}")))?;
+    // a bare file name would be searched for in PATH
     let other = &std::fs::canonicalize(other)
         .map_err(|e| Failure::Call(format!("--against {}: {e}: give the path of another build", other.display())))?;
     let arguments = arguments(std::env::args_os().skip(1));
@@ -38,7 +38,7 @@ pub(super) fn execute(options: &Options, other: &Path) -> Result<bool, Failure> 
     let least = |times: &[f64]| times.iter().copied().fold(f64::INFINITY, f64::min);
     let ratio = least(&times) / least(&others);
     let words = format!(
-        "this build   {:8.3} ms a step at least\nthe other    {:8.3}\nratio        {ratio:8.3}\n",
+        "this build   {:8.3} ms per step, minimum\nother build  {:8.3}\nratio        {ratio:8.3}\n",
         least(&times),
         least(&others)
     );
@@ -46,7 +46,7 @@ pub(super) fn execute(options: &Options, other: &Path) -> Result<bool, Failure> 
     Ok(true)
 }
 
-/// What this program was called with, less what the other build is not to do.
+/// Returns this program's arguments without those that are not for the other build, plus `--json`.
 fn arguments(mut given: impl Iterator<Item = OsString>) -> Vec<OsString> {
     let mut kept = Vec::new();
     while let Some(argument) = given.next() {
@@ -63,7 +63,7 @@ fn arguments(mut given: impl Iterator<Item = OsString>) -> Vec<OsString> {
     kept
 }
 
-/// The shortest step of one run, ms.
+/// Runs a build once and returns its shortest step, ms.
 fn shortest_step(binary: &Path, arguments: &[OsString]) -> Result<f64, Failure> {
     let failed = |why: String| Failure::System(format!("{}: {why}", binary.display()));
     let run = Command::new(binary).args(arguments).stderr(Stdio::inherit()).output();
@@ -72,7 +72,7 @@ fn shortest_step(binary: &Path, arguments: &[OsString]) -> Result<f64, Failure> 
         return Err(failed(output.status.to_string()));
     }
     let document: serde_json::Value = serde_json::from_slice(&output.stdout).map_err(|e| failed(e.to_string()))?;
-    document["ms_per_step"]["min"].as_f64().ok_or_else(|| failed("its document has no ms_per_step.min".into()))
+    document["ms_per_step"]["min"].as_f64().ok_or_else(|| failed("its JSON document has no ms_per_step.min".into()))
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! A scene at every level of this processor, timed in turn, with one thread and with all.
+//! A scene at every SIMD level of this processor, timed alternately, with one thread and with all threads.
 use super::{LevelTime, Options};
 use crate::failure::Failure;
 use crate::fluid::start;
@@ -7,7 +7,7 @@ use crate::scenes::LoadedScene;
 use crate::timing::{Milliseconds, timed};
 use millpond_core::{Executor, OwnedMemory, Simd};
 
-/// Times the scene at each.
+/// Times the scene at each level.
 pub(super) fn levels(named: &LoadedScene, options: &Options) -> Result<Vec<LevelTime>, Failure> {
     let scene = &named.checked()?;
     let mut pools = vec![Pool::new(1)?, Pool::new(options.common.threads)?];
@@ -17,7 +17,7 @@ pub(super) fn levels(named: &LoadedScene, options: &Options) -> Result<Vec<Level
     let mut solvers = Vec::new();
     for (simd, heap) in all.iter().zip(&mut heaps) {
         let mut solver = start(&named.name, scene, heap)?;
-        // the fastest way there, since the bits are the same
+        // warm up at the best level with all threads: all levels give the same bits
         for _ in 0..options.warm_up {
             solver.step(&pools[pools.len() - 1])?;
         }

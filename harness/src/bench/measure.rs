@@ -1,4 +1,4 @@
-//! Timing steps, pass by pass, on the CPU or on a device.
+//! Times of steps and passes, on the CPU or on a GPU.
 use super::{Options, PassTime};
 use crate::failure::Failure;
 use crate::pool::Pool;
@@ -9,13 +9,13 @@ use millpond_core::{Pass, Solver};
 use millpond_gpu::{Gpu, GpuError, GpuSolver, Mode};
 use std::time::Instant;
 
-/// What was timed.
+/// Result of a measurement: name of the SIMD level or device, times of steps and passes (ms), first and last state.
 pub(super) struct Timed {
     pub path: String,
     pub steps: Vec<f64>,
     pub passes: Vec<PassTime>,
     pub ms_at_once: Option<f64>,
-    /// How full the neighbour lists were at the end; a device makes none.
+    /// Filling of the neighbour lists after the last step; `None` on a GPU, which makes no lists.
     pub lists: Option<ListReport>,
     pub first: Snapshot,
     pub last: Snapshot,
@@ -56,7 +56,7 @@ pub(super) fn time_cpu(
     })
 }
 
-/// The shortest time of each pass over the steps.
+/// Shortest time of each pass over all steps, ms.
 struct Shortest([f64; Pass::ALL.len()]);
 
 impl Default for Shortest {
@@ -66,7 +66,7 @@ impl Default for Shortest {
 }
 
 impl Shortest {
-    /// Takes in the times of a step. A pass that runs more than once in it takes as long as all of its runs.
+    /// Adds the times of a step, ms. For a pass that runs several times in a step, the times are summed.
     fn add_step(&mut self, times: impl Iterator<Item = (Pass, f64)>) {
         let mut took = [None; Pass::ALL.len()];
         for (pass, ms) in times {
@@ -77,7 +77,7 @@ impl Shortest {
         }
     }
 
-    /// Those of the passes that ran.
+    /// Returns the times of the passes that ran.
     fn passes(&self) -> Vec<PassTime> {
         let ran = Pass::ALL.into_iter().zip(self.0).filter(|(_, ms)| ms.is_finite());
         ran.map(|(pass, ms)| PassTime { name: pass.name(), ms, roof: None }).collect()
@@ -86,7 +86,7 @@ impl Shortest {
 
 pub(super) fn time_gpu(solver: &Solver<'_>, options: &Options, bar: &indicatif::ProgressBar) -> Result<Timed, Failure> {
     let gpu = Gpu::open(None, Mode::Strict)?;
-    // the same steps three times: one by one, all at once, and with the clock of the passes
+    // the steps are made three times: one by one, all at once, and with a timer for each pass
     bar.set_length(3 * (u64::from(options.warm_up) + u64::from(options.steps)));
     let warm = || {
         let mut fluid = GpuSolver::new(&gpu, solver)?;
@@ -94,7 +94,7 @@ pub(super) fn time_gpu(solver: &Solver<'_>, options: &Options, bar: &indicatif::
         bar.inc(u64::from(options.warm_up));
         Ok::<_, GpuError>(fluid)
     };
-    // drivers compile when a program first runs
+    // drivers compile a shader when it first runs
     GpuSolver::new(&gpu, solver)?.step(1)?;
     let mut fluid = warm()?;
     let first = Snapshot::of_gpu(&fluid)?;

@@ -1,4 +1,4 @@
-//! `bench`: how long a step takes, pass by pass.
+//! `bench`: times of a step and of its passes.
 mod against;
 mod levels;
 mod measure;
@@ -31,92 +31,94 @@ use table::table;
 pub struct Options {
     #[command(flatten)]
     common: Common,
-    /// Steps to time
+    /// Number of steps to time
     #[arg(long, default_value_t = 50, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     steps: u32,
-    /// Steps to make before
+    /// Number of steps to make before the timed ones
     #[arg(long, default_value_t = 0, value_name = "N")]
     warm_up: u32,
-    /// Where it runs
+    /// Backend to run on
     #[arg(long, value_enum, default_value = "cpu")]
     backend: BackendName,
-    /// How the CPU computes (default: the best it can)
+    /// SIMD level of the CPU backend (default: the best that this processor has)
     #[arg(long, value_enum)]
     simd: Option<SimdName>,
-    /// Time the scene with both grid structures, in turn
+    /// Also time the scene with each grid structure, alternately
     #[arg(long, conflicts_with = "scaling")]
     structures: bool,
-    /// Time the scene at 4096, 32768, 262144 and 1000000 particles and fit how the time grows with their number
+    /// Time the scene with 4096, 32768, 262144 and 1000000 particles, and fit how the time grows with their number
     #[arg(long, conflicts_with = "particles")]
     scaling: bool,
-    /// Time another build of this program too, in turn with this one, and compare their shortest steps
+    /// Run another build of this program alternately with this one, and compare their shortest steps
     #[arg(long, value_name = "BINARY", conflicts_with_all = ["scaling", "structures"])]
     against: Option<PathBuf>,
-    /// Time the scene at every SIMD level of this processor, in turn, with one thread and with --threads of them
+    /// Also time the scene at every SIMD level of this processor, alternately, with one thread and with --threads
+    /// threads
     #[arg(long, conflicts_with_all = ["scaling", "structures", "against", "simd"])]
     levels: bool,
-    /// Measure what this machine can compute and move at most, and say how near each pass comes to it
+    /// Measure the peak rates of arithmetic and memory of this machine, and show which share of them each pass reaches
     #[arg(long, conflicts_with_all = ["scaling", "against"])]
     roofline: bool,
-    /// With --against: how often each of the two builds is run
-    #[arg(long, default_value_t = 5, value_name = "N", requires = "against", value_parser = clap::value_parser!(u32).range(1..))]
+    /// With --against: number of runs of each build
+    #[arg(long, default_value_t = 5, value_name = "N", requires = "against",
+        value_parser = clap::value_parser!(u32).range(1..))]
     rounds: u32,
 }
 
-/// A level of the CPU.
+/// A SIMD level of the CPU.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum SimdName {
-    /// One particle at a time.
+    /// No SIMD: one particle at a time
     Scalar,
-    /// Lanes in the target's base instructions.
+    /// SIMD with the base instructions of the target
     Base,
-    /// Lanes in AVX2.
+    /// SIMD with AVX2
     Avx2,
-    /// Lanes in AVX-512.
+    /// SIMD with AVX-512
     Avx512,
 }
 
 /// Result of `bench`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Bench {
-    /// The scene.
+    /// Name of the scene.
     pub scene: String,
-    /// Particles.
+    /// Number of particles.
     pub particles: usize,
-    /// Threads that worked.
+    /// Number of threads.
     pub threads: usize,
-    /// Level of the CPU, or the device.
+    /// SIMD level of the CPU, or name of the GPU.
     pub simd: String,
-    /// Time of a step.
+    /// Time of a step, ms.
     pub ms_per_step: Milliseconds,
-    /// Shortest time of each pass, on a GPU by the device's own clock; empty where a device cannot time them.
+    /// Shortest time of each pass, on a GPU by its own clock; empty if the GPU cannot measure it.
     pub passes: Vec<PassTime>,
-    /// Time of a step, ms, where a GPU is given all steps at once and asked for nothing in between.
+    /// Time per step if a GPU is given all steps at once and its status is not read in between, ms.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ms_per_step_at_once: Option<f64>,
     /// Shortest step divided by the number of particles, ns.
     pub ns_per_particle_step: f64,
     /// Bytes of the solver's memory per particle.
     pub bytes_per_particle: f64,
-    /// Neighbours of a particle, itself counted.
+    /// Mean number of neighbours of a particle, the particle itself included.
     pub average_neighbours: FirstLast,
-    /// Simulated time over the time it took, by the shortest step.
+    /// Simulated time divided by wall time, for the shortest step.
     pub real_time_factor: f64,
-    /// The neighbour lists of the last step, on the CPU.
+    /// The neighbour lists after the last step, on the CPU.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lists: Option<ListView>,
-    /// With `--roofline`: what the machine can do at most.
+    /// With `--roofline`: peak rates of the machine.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ceilings: Option<Ceilings>,
-    /// With `--levels`: the scene at each level.
+    /// With `--levels`: times at each SIMD level.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub levels: Vec<LevelTime>,
-    /// Arrays that exist, with their bytes.
+    /// Allocated arrays and their sizes.
     pub arrays: Vec<ArrayView>,
-    /// With `--structures`: the scene with either grid structure.
+    /// With `--structures`: times with each grid structure.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub structures: Vec<StructureTime>,
-    /// With `--scaling`: the sizes timed.
+    /// With `--scaling`: times for several numbers of particles.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub scaling: Option<Scaling>,
 }
@@ -124,93 +126,95 @@ pub struct Bench {
 /// Time of a pass.
 #[derive(Clone, Debug, Serialize)]
 pub struct PassTime {
-    /// Which.
+    /// Name of the pass.
     pub name: &'static str,
-    /// Shortest, ms.
+    /// Shortest time, ms.
     pub ms: f64,
-    /// With `--roofline`: how near that is to what the machine can do.
+    /// With `--roofline`: the pass compared with the peak rates.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub roof: Option<Roof>,
 }
 
-/// What a pass computes and moves, beside what the machine can.
+/// Arithmetic and memory traffic of a pass, compared with the peak rates of the machine.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Roof {
-    /// Operations on numbers, without addresses and unused lanes; only of the passes over pairs that every scene has, and
-    /// only where all groups have lists.
+    /// Number of floating-point operations, without address computations and unused lanes. Known only for the passes
+    /// over pairs that every scene has, and only if all groups have neighbour lists.
     pub operations: Option<u64>,
-    /// Their rate over that of the machine's sums and products.
+    /// Their rate divided by the peak rate of additions and multiplications.
     pub share_of_arithmetic: Option<f64>,
-    /// Bytes of the arrays that it reads and writes, each once; unknown where pressure is iterated.
+    /// Bytes of the arrays that the pass reads and writes, each counted once; unknown with the pressure correction.
     pub bytes: Option<u64>,
-    /// Their rate over the machine's.
+    /// Their rate divided by the peak rate of memory.
     pub share_of_memory: Option<f64>,
 }
 
-/// What a machine can do at most, measured with the threads and at the level of the benchmark.
+/// Peak rates of the machine, measured with the threads and at the SIMD level of the benchmark.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Ceilings {
-    /// Sums and products a second in registers, in units of 1e9.
+    /// Additions and multiplications in registers, 1e9 per second.
     pub gigaoperations_per_second: f64,
-    /// Bytes that a triad of long arrays moves, in units of 1e9 a second.
+    /// Bytes moved by a triad (a = b + s c) of long arrays, 1e9 per second.
     pub gigabytes_per_second: f64,
 }
 
-/// Time at a level, with so many threads.
+/// Time of a step at a SIMD level with a number of threads.
 #[derive(Clone, Debug, Serialize)]
 pub struct LevelTime {
-    /// The level, as `--simd` names it.
+    /// The SIMD level, as named by `--simd`.
     pub simd: String,
     /// Number of threads.
     pub threads: usize,
-    /// Time of a step, the levels being taken in turn.
+    /// Time of a step, ms; the levels take turns.
     pub ms_per_step: Milliseconds,
 }
 
-/// How full the neighbour lists are.
+/// Filling of the neighbour lists.
 #[derive(Clone, Debug, Serialize)]
 pub struct ListView {
-    /// Groups of four particles.
+    /// Number of groups of four particles.
     pub groups: usize,
-    /// Those that have lists; the others have too many neighbours or candidates, or their lists do not fit into memory.
+    /// Number of groups with lists. The others have too many neighbours or candidates, or their lists do not fit into
+    /// memory.
     pub listed: usize,
-    /// Share of the places of the lists that hold a pair: how full the lanes are.
+    /// Share of the places in the lists that hold a pair, which is the share of lanes in use.
     pub filling: f64,
-    /// Listed pairs over the shortest step.
+    /// Listed pairs divided by the time of the shortest step.
     pub million_pairs_per_second: f64,
-    /// Pairs that were tried to find them, over the shortest step.
+    /// Candidate pairs tested to find them, divided by the time of the shortest step.
     pub million_tested_pairs_per_second: f64,
 }
 
-/// Time with a grid structure.
+/// Time of a step with a grid structure.
 #[derive(Clone, Debug, Serialize)]
 pub struct StructureTime {
-    /// Which.
+    /// The grid structure.
     pub structure: String,
-    /// Time of a step, steps with the two structures being taken in turn.
+    /// Time of a step, ms; the two structures take turns.
     pub ms_per_step: Milliseconds,
     /// Bytes of the solver's memory per particle.
     pub bytes_per_particle: f64,
 }
 
-/// How time grows with the number of particles.
+/// Growth of the time with the number of particles.
 #[derive(Clone, Debug, Serialize)]
 pub struct Scaling {
-    /// Particles, pairs of neighbours, and shortest step, ms.
+    /// Number of particles, number of pairs of neighbours, and shortest step (ms).
     pub sizes: Vec<(usize, f64, f64)>,
-    /// Exponent of the power law of time over particles, between the smallest and the largest.
+    /// Exponent of the power law of time over the number of particles, from the smallest and the largest size.
     pub exponent: f64,
-    /// The same over pairs: of few particles, more are at a surface and have fewer neighbours.
+    /// Exponent of the power law of time over the number of pairs. It differs because in a small scene more particles
+    /// are at a surface and have fewer neighbours.
     pub exponent_of_pairs: f64,
 }
 
-/// Sizes of `--scaling`.
+/// Numbers of particles for `--scaling`.
 const SCALING_SIZES: [u64; 4] = [4096, 32_768, 262_144, 1_000_000];
 
 /// Runs `bench`.
 ///
 /// # Errors
-/// A scene that cannot run, a step that cannot be made.
+/// Options that do not fit together, a scene that cannot run, or a step that fails.
 pub fn execute(options: &Options) -> Result<bool, Failure> {
     if let Some(other) = &options.against {
         return against::execute(options, other);
@@ -251,20 +255,20 @@ fn bench(named: &LoadedScene, options: &Options) -> Result<Bench, Failure> {
             SimdName::Avx512 => Simd::Avx512,
         };
         if options.backend == BackendName::Gpu {
-            return Err(Failure::Call("--simd is for the CPU: leave --backend gpu out".into()));
+            return Err(Failure::Call("--simd is only for the CPU: remove --backend gpu".into()));
         }
         if simd.or_best() != simd {
             let name = format!("{name:?}").to_lowercase();
-            return Err(Failure::Call(format!("--simd {name}: this processor has no such level: leave --simd out")));
+            return Err(Failure::Call(format!("--simd {name}: this processor does not have this level")));
         }
         solver = solver.at_level(simd);
     }
     let cpus = [(options.structures, "structures"), (options.levels, "levels"), (options.roofline, "roofline")];
     if let Some((_, name)) = cpus.iter().find(|(asked, _)| *asked && options.backend == BackendName::Gpu) {
-        return Err(Failure::Call(format!("--{name} is for the CPU: leave --backend gpu out")));
+        return Err(Failure::Call(format!("--{name} is only for the CPU: remove --backend gpu")));
     }
     if options.roofline && scene.grid.traversal == Traversal::HalfStencil {
-        let why = "--roofline counts the pairs of neighbour lists, and grid.traversal HalfStencil makes none: leave one of them out";
+        let why = "--roofline needs neighbour lists, and grid.traversal HalfStencil makes none: remove one of them";
         return Err(Failure::Call(why.into()));
     }
     let simd = solver.simd();

@@ -1,4 +1,4 @@
-//! What one pair costs, counted: a number that counts what is done to it goes through the terms of the scene.
+//! Number of operations per pair, counted by running the scene's terms with a number type that counts operations.
 use millpond_core::backend::arithmetic::real::{Real, real, vec3};
 use millpond_core::backend::layout::{Model, Parameters, TABLE_WORDS};
 use millpond_core::backend::terms::density::{
@@ -12,15 +12,16 @@ use std::cell::Cell;
 use std::ops::{Add, Mul, Neg, Sub};
 
 thread_local! {
-    /// Operations so far.
+    /// Operations counted so far on this thread.
     static COUNTED: Cell<u64> = const { Cell::new(0) };
 }
 
-/// A number that counts: each sum, product, quotient, root, magnitude, change of sign, comparison and choice is one operation.
+/// A number that counts operations. Each addition, subtraction, multiplication, division, square root, absolute value,
+/// floor, negation, comparison, selection, minimum and maximum counts as one.
 #[derive(Clone, Copy)]
 struct Counted(f32);
 
-/// What an operation gives.
+/// Counts an operation and returns its result.
 fn one_more(x: f32) -> Counted {
     COUNTED.set(COUNTED.get() + 1);
     Counted(x)
@@ -111,14 +112,14 @@ impl Real for Counted {
     }
 }
 
-/// Operations of this.
+/// Returns the number of operations of `work`.
 fn counted<T>(work: impl FnOnce() -> T) -> u64 {
     let before = COUNTED.get();
     let _ = work();
     COUNTED.get() - before
 }
 
-/// Two particles, some way apart; how much a pair costs depends on the model alone.
+/// Returns two particles at some distance. The cost of a pair depends on the model only, not on the values.
 fn pair(p: &Parameters) -> [Local<Counted>; 2] {
     [0.0, 0.4].map(|x| {
         let one = || Counted(1.0);
@@ -142,18 +143,19 @@ fn pair(p: &Parameters) -> [Local<Counted>; 2] {
     })
 }
 
-/// Of trying a pair: is it one?
+/// Operations to test whether two particles are within each other's support.
 pub(super) fn of_test(m: &Model, p: &Parameters) -> u64 {
     let [a, b] = pair(p);
     counted(|| squared_distance(m, p, a, b).less(Counted(1.0)))
 }
 
-/// Squared distance over the pair's squared support.
+/// Returns the squared distance divided by the squared support radius of the pair.
 fn squared_distance(m: &Model, p: &Parameters, a: Local<Counted>, b: Local<Counted>) -> Counted {
     squared_ratio(m, p, separation(m, p, a.position, b.position), pair_scale(m, a.support, b.support))
 }
 
-/// Of what a neighbour adds to the density of a particle. Where that follows from the distance alone, it is what was found by trying.
+/// Operations to add a neighbour to the density of a particle. If density depends on the distance only, the squared
+/// distance is known from the test and is not counted again.
 pub(super) fn of_density(m: &Model, p: &Parameters) -> u64 {
     let (tables, [a, b]) = (&[0.0; TABLE_WORDS], pair(p));
     counted(|| {
@@ -172,12 +174,12 @@ pub(super) fn of_density(m: &Model, p: &Parameters) -> u64 {
         };
         let near = (m.near_pressure == DOUBLE_DENSITY).then(|| near_density_neighbour(m, mass_b, q2, one));
         let number = (m.has_number_density_volume == 1).then(|| number_density_neighbour(m, tables, q2, one));
-        // and they are added up
+        // the addition to the sums counts too
         [Some(sum), near, number].map(|sum| sum.map(|sum| one + sum))
     })
 }
 
-/// Of the force that a neighbour exerts on a particle.
+/// Operations to add the force of a neighbour to that of a particle.
 pub(super) fn of_force(m: &Model, p: &Parameters) -> u64 {
     let (tables, [a, b]) = (&[0.0; TABLE_WORDS], pair(p));
     counted(|| vec3(Counted(0.0), Counted(0.0), Counted(0.0)) + force_neighbour(m, p, tables, a, b))

@@ -1,5 +1,5 @@
-//! How near the passes come to what the machine can do: what they compute and move, over the time they take, beside two ceilings
-//! that a small probe measures.
+//! Roofline model: arithmetic and memory traffic of each pass per time, compared with two peak rates that are measured
+//! by small probes.
 use super::operations::{of_density, of_force, of_test};
 use super::{Ceilings, PassTime, Roof};
 use crate::pool::Pool;
@@ -10,14 +10,14 @@ use millpond_core::backend::plan::schedule::Command;
 use millpond_core::{Array, Executor, Pass, Requirements, Simd, Solver};
 use std::hint::black_box;
 
-/// Rounds of the arithmetic probe: some milliseconds.
+/// Rounds of the arithmetic probe, which takes some milliseconds.
 const ROUNDS: u32 = 1 << 20;
-/// Numbers in each of the three arrays of the memory probe, 192 MiB in all: more than most caches hold.
+/// Length of each of the three arrays of the memory probe. They take 192 MiB together, more than most caches hold.
 const NUMBERS: usize = 1 << 24;
-/// How often each probe runs; the fastest counts.
+/// Number of runs of each probe, of which the fastest counts.
 const ATTEMPTS: usize = 5;
 
-/// Measures the two ceilings with as many threads as the passes have.
+/// Measures the two peak rates with as many threads as the passes use.
 pub(super) fn ceilings(simd: Simd, pool: &Pool) -> Ceilings {
     let mut best = Ceilings { gigaoperations_per_second: 0.0, gigabytes_per_second: 0.0 };
     let [mut a, b, c] = [0.0f32, 1.0, 2.0].map(|x| vec![x; NUMBERS]);
@@ -42,18 +42,19 @@ pub(super) fn ceilings(simd: Simd, pool: &Pool) -> Ceilings {
     best
 }
 
-/// What a step has to compute, and to read and write at least, pass by pass.
+/// Operations of each pass of a step, and the least number of bytes that it must read and write.
 pub(super) struct Costs {
     bytes: Vec<(&'static str, u64)>,
     operations: Vec<(&'static str, u64)>,
 }
 
-/// Counts them for the state that a solver is in, whose lists were these.
+/// Counts operations and bytes for the current state of a solver. `lists` describes the neighbour lists of its last
+/// step.
 pub(super) fn costs(solver: &mut Solver<'_>, requirements: &Requirements, lists: Option<ListReport>) -> Costs {
     let tested = solver.tested_pairs();
     let (plan, p) = (solver.plan(), solver.parameters());
     let m = &plan.model;
-    // the pairs of groups without lists are counted by nobody
+    // pairs of groups without lists are not counted
     let pairs = lists.filter(|lists| lists.listed == lists.groups).map(|lists| lists.pairs);
     let forces = plan.schedule().iter().filter(|command| command.pass() == Some(Pass::Force)).count() as u64;
     let trying = of_test(m, p) * tested;
@@ -67,7 +68,7 @@ pub(super) fn costs(solver: &mut Solver<'_>, requirements: &Requirements, lists:
         operations.push((Pass::Force.name(), of_force(m, p) * pairs * forces));
     }
     let of_array = |array: Array| (requirements.entries(array) * array.words() * size_of::<u32>()) as u64;
-    // the CPU's passes over pairs read lists where a device's read cells
+    // on the CPU the passes over pairs read neighbour lists, where those on a GPU read cells
     let of_lists = lists.map_or(0, |lists| 2 * lists.places + 16 * lists.groups as u64);
     let of_pass = |pass: Pass| -> u64 {
         if pass == Pass::Neighbours {
@@ -89,7 +90,7 @@ pub(super) fn costs(solver: &mut Solver<'_>, requirements: &Requirements, lists:
                 (Pass::Gather, of_array(from) + of_array(to) + of_array(Array::source_slot))
             }
             Command::Validate(array) => (Pass::Validate, of_array(array) + of_array(Array::id)),
-            // how often nobody knows beforehand
+            // the number of repetitions is not known in advance
             Command::Repeat { .. } => return Costs { bytes: Vec::new(), operations },
         };
         match bytes.iter_mut().find(|(name, _)| *name == pass.name()) {
@@ -101,7 +102,7 @@ pub(super) fn costs(solver: &mut Solver<'_>, requirements: &Requirements, lists:
 }
 
 impl Costs {
-    /// Of a pass that took so long, beside the ceilings.
+    /// Compares a timed pass with the peak rates.
     pub(super) fn roof(&self, pass: &PassTime, ceilings: &Ceilings) -> Roof {
         let of = |all: &[(&'static str, u64)]| all.iter().find(|(name, _)| *name == pass.name).map(|(_, count)| *count);
         let rate = |count: Option<u64>| count.map(|count| count as f64 / pass.ms.max(1e-9) * 1e-6);

@@ -1,4 +1,4 @@
-//! Both grid structures of a scene, timed in turn.
+//! Both grid structures of a scene, timed alternately.
 use super::{Options, StructureTime};
 use crate::failure::Failure;
 use crate::fluid::start;
@@ -9,7 +9,7 @@ use crate::timing::{Milliseconds, timed};
 use millpond_core::scene::GridStructure;
 use millpond_core::{Checked, OwnedMemory, Requirements, Simd};
 
-/// Times the scene with both grid structures, in turn.
+/// Times the scene with both grid structures, alternately.
 pub(super) fn structures(
     named: &LoadedScene,
     simd: Simd,

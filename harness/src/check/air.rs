@@ -1,11 +1,13 @@
-//! `air`: what a coat of air does to the tension that a free surface has of itself (Pirovano, section 3.4.2; Pirovano test 1 in the plane). The
-//! outermost row of a liquid misses half of its neighbours, so its summed density is low, its pressure negative, and the drop is
-//! pulled together by an error. The thesis proposes to surround it by air whose particles it counts, with forms that see
-//! contrasts of density.
+//! `air`: effect of a layer of air particles on the spurious surface tension of a free surface (Pirovano,
+//! section 3.4.2; the set-up is Pirovano test 1 in two dimensions). The outermost row of a liquid lacks half of its
+//! neighbours, so its summed density is too low and its pressure negative, and this error pulls the drop together.
+//! Pirovano proposes to surround the liquid with air particles, and to count them with density forms that are adapted
+//! to density contrasts.
 //!
-//! A square drop at rest, without gravity and without tension. Limits are held against what is sure of soft air: the
-//! outermost row counts more of the neighbours that it should have, each bare particle gets its own, and the drop moves less. What
-//! else becomes of it is told as it came out, for other air too.
+//! The study evolves a square drop at rest, without gravity and without a model of surface tension. Limits are set only
+//! for what is certain of soft air (air that is easy to compress): the density error of the outermost row becomes
+//! smaller, each exposed particle gets an air particle, no spawn request is refused, and the drop moves less. All other
+//! results, and those of other kinds of air, are reported without limits.
 use super::flow::{checked, fluid, grid, larger, mean, rms_speed, start_with, step, steps_to};
 use super::recipes::SEVERAL_FLUIDS;
 use super::{Context, Metric, Outcome};
@@ -18,34 +20,35 @@ use millpond_core::{AirReport, Particle, Solver};
 
 const NAME: &str = "air";
 
-/// Particles along an edge, and their distance, m.
+/// Particles along an edge, and particle spacing, m.
 const EDGE: u16 = 20;
 const SPACING: f32 = 0.05;
 
-/// Of the water, kg/m3, m/s, Pa s.
+/// Rest density, kg/m3, speed of sound, m/s, and dynamic viscosity, Pa s, of the water.
 const WATER: f32 = 1000.0;
 const SOUND: f32 = 10.0;
 const VISCOSITY: f32 = 2.0;
 
-/// s: sound travels 0.1 supports in a step of the fastest air.
+/// Time step, s. At the highest speed of sound in the air, sound travels 0.1 support radii in a step.
 const TIME_STEP: f32 = 0.0005;
 const END: f64 = 1.0;
 const QUICK_END: f64 = 0.5;
 const STEPS_PER_SAMPLE: u64 = 20;
 
-/// Steps after which the coat has been made and counted for once, and nothing has moved.
+/// Steps after which the air layer has been created and counted once, while nothing has moved yet.
 const FIRST: u64 = 2;
 
-/// Rows from the surface whose particles are not the drop's inside.
+/// Rows next to the surface that are excluded from the mean pressure inside the drop.
 const MARGIN: usize = 5;
 
-/// Particles of air for each of the drop's outermost row.
+/// Capacity for air: air particles for each particle of the drop's outermost row.
 const ROOM: u32 = 4;
 
-/// Share of its density below which air goes: a lone row has 0.47 of it.
+/// Share of its rest density below which an air particle vanishes; an isolated row has 0.47 of it.
 const MINIMUM: f32 = 0.4;
 
-/// Air: times as light as the water, m/s, threshold; as viscous as the water.
+/// Air: how many times lighter than water it is, its speed of sound, m/s, and the threshold of the normal above which a
+/// particle is exposed. It has the dynamic viscosity of water.
 #[derive(Clone, Copy, Debug)]
 struct Coat {
     ratio: f32,
@@ -53,11 +56,12 @@ struct Coat {
     threshold: f32,
 }
 
-/// As hard to compress as the water, `rho c^2`, at the ratio 10; and a thousandth of that.
+/// Speeds of sound of the air, m/s. At a density ratio of 10 the first makes it as stiff as the water (equal
+/// `rho c^2`), and the second a thousand times less stiff.
 const HARD: f32 = 31.623;
 const SOFT: f32 = 1.0;
 
-/// What is compared, the first two without air; the third has limits, against the second.
+/// Compared cases. The first two have no air. The third has the limits, relative to the second.
 const CASES: [(DensityForm, Option<Coat>); 8] = [
     (DensityForm::Summation, None),
     (DensityForm::SummationAdapted, None),
@@ -73,26 +77,26 @@ const fn coated(ratio: f32, sound: f32, threshold: f32) -> (DensityForm, Option<
     (DensityForm::SummationAdapted, Some(Coat { ratio, sound, threshold }))
 }
 
-/// What the table shows.
-const NOTE: &str = "With air the outermost row counts nearly all of the neighbours that it should have, and with soft air and \
-    a threshold of about 1 the drop is calmer. It is no remedy: the coat has a free surface too, with the same low density, and air \
-    goes on being made long after the first steps. With a threshold below that of a surface with one row of air, or with \
-    air as hard as the water, it is made until none is left.";
+/// Conclusions, printed below the table.
+const NOTE: &str = "With air the outermost row counts nearly all of the neighbours that it should have, and with \
+    soft air and a threshold of about 1 the drop is calmer. Air does not remove the error: the air layer has a free \
+    surface too, with the same low density, and air is still created long after the first steps. With a threshold \
+    below that of a surface with one row of air, or with air as stiff as the water, air is created until none is left.";
 
-/// What a run came to.
+/// Results of a run.
 #[derive(Clone, Copy, Debug)]
 struct Drop {
-    /// Mean density of the outermost row over that at rest, less 1, at the start.
+    /// Mean density of the outermost row over rest density, less 1, at the start.
     row: f64,
-    /// Mean pressure inside, in the later half, Pa.
+    /// Mean pressure inside the drop in the second half of the run, Pa.
     pressure: f64,
     /// [`roundness`] at start and end.
     roundness: [f64; 2],
     /// Largest rms speed of the water, m/s.
     speed: f64,
-    /// Air after the first steps.
+    /// Air particles after the first steps.
     first: AirReport,
-    /// Air at the end.
+    /// Air particles at the end.
     last: AirReport,
 }
 
@@ -103,23 +107,23 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let (bare, coated) = (bare?, coated?);
     let face = f64::from(4 * (EDGE - 1));
     let figures = vec![
-        Metric::below("density of the outermost row off by, with air over without", (coated.row / bare.row).abs(), 1.0),
+        Metric::below("density error of the outermost row, with air over without", (coated.row / bare.row).abs(), 1.0),
         Metric::above(
-            "particles of air made at first, over those of the outermost row",
+            "air particles created at first, over particles of the outermost row",
             f64::from(coated.first.alive) / face,
             1.0,
         ),
         Metric::below("largest rms speed, with air over without", coated.speed / bare.speed, 1.0),
-        Metric::below("births of air refused", coated.last.refused as f64, 0.0),
+        Metric::below("spawn requests of air refused", coated.last.refused as f64, 0.0),
     ];
     let titles = [
         "density",
-        "air: times as light, m/s, threshold",
-        "outermost row off by",
+        "air: density ratio, speed of sound in m/s, threshold",
+        "density error of the outermost row",
         "pressure inside, Pa",
-        "diagonals over axes",
+        "extent along diagonals over axes",
         "largest rms speed, m/s",
-        "air first, last, refused",
+        "air particles at first, at last, refused",
     ];
     Ok(Outcome::new(NAME, figures, vec![table(titles, lines), NOTE.into()]))
 }
@@ -190,20 +194,21 @@ fn evolve(context: &Context, case: (DensityForm, Option<Coat>)) -> Result<Drop, 
     })
 }
 
-/// The drop's particles, in the order of the lattice.
+/// Returns the drop's particles, in the order of the lattice.
 fn water(solver: &Solver<'_>) -> Vec<Particle> {
     fluid(solver).into_iter().filter(|particle| particle.fluid == 0).collect()
 }
 
-/// Those of them that were `from .. to` rows from the nearest side of the square at the start.
+/// Returns the drop's particles that started at least `from` and less than `to` rows away from the nearest side of the
+/// square.
 fn part(solver: &Solver<'_>, from: usize, to: usize) -> Vec<Particle> {
     let edge = usize::from(EDGE);
     let depth = |id: usize| [id % edge, id / edge].map(|i| i.min(edge - 1 - i)).into_iter().min().unwrap_or(0);
     water(solver).into_iter().filter(|p| (from..to).contains(&depth(p.id as usize))).collect()
 }
 
-/// How far the particles reach from their centre along the diagonals of a square, over how far along its axes: 1.41 of a square, 1
-/// of a circle.
+/// Returns the extent of the particles from their centre along the diagonals of a square, divided by that along its
+/// axes: 1.41 for a square, 1 for a circle.
 fn roundness(particles: &[Particle]) -> f64 {
     let of = |axis: usize| mean(particles, |particle| f64::from(particle.position[axis]));
     let centre = [of(0), of(1)];

@@ -1,8 +1,10 @@
-//! `poiseuille` and `couette`: a viscous channel starts to flow, driven by a force or by its lid, against the series of
-//! Morris, Fox and Zhu 1997 at their Reynolds number of 0.0125.
+//! `poiseuille` and `couette`: start-up of viscous channel flows (case V1). A body force (Poiseuille) or a moving wall
+//! (Couette) drives the fluid from rest. Velocity profiles at five times are compared with the series of Morris, Fox
+//! and Zhu 1997 at their Reynolds number of 0.0125.
 //!
-//! One metre of the scene is a millimetre of theirs: with nu = 1e-6 m2/s the kinematic viscosity then is 1, the seconds stay
-//! the same, and f32 has digits left for the spacing, which it has not at 2e-5 m from an origin 1 m away.
+//! One metre in the scene is one millimetre in the paper. The paper's kinematic viscosity of 1e-6 m2/s then becomes
+//! 1 m2/s, times stay the same, and f32 resolves the particle spacing. It would not resolve the paper's spacing of
+//! 2e-5 m at a distance of 1 m from the origin.
 use super::flow::{checked, fluid, grid, larger, start_with, step, steps_to};
 use super::recipes::WENDLAND;
 use super::reference::{couette as couette_series, numbers, poiseuille as poiseuille_series};
@@ -17,50 +19,54 @@ use millpond_core::scene::{
     Block, Dimension, Face, Fluid, Formulation, Kernel, Periodic, Scene, Viscosity, Wall, WallShape,
 };
 
-/// kg/m3; Pa s, so that the kinematic viscosity is 1.
+/// Rest density, kg/m3, and dynamic viscosity, Pa s. The kinematic viscosity is 1 m2/s.
 const REST_DENSITY: f32 = 1000.0;
 const VISCOSITY: f32 = 1000.0;
 
-/// Their force, 1e-4 m/s2, and the speed of their lid, 1.25e-5 m/s, which is also the largest speed that the force makes.
+/// Body force per mass, m/s2, and speed of the lid, m/s. In the paper they are 1e-4 m/s2 and 1.25e-5 m/s. The speed of
+/// the lid is also the largest speed that the body force causes.
 const FORCE: f32 = 0.1;
 const LID: f32 = 0.0125;
 
-/// Over the largest speed: compression is one part in 400.
+/// Speed of sound over the largest speed. Compression is one part in 400.
 const MACH: f32 = 20.0;
 
-/// Particles across, and along: as many as four cells need.
+/// Particles across the channel, in two resolutions, and along it: enough for four grid cells.
 const ACROSS: [u16; 2] = [25, 50];
 const ALONG: u16 = 12;
 
-/// With a cubic spline of this support the lattice gives a second derivative right to 1e-4, Morris' softening of
-/// `0.01 (H / 2)^2` counted. With 32 neighbours it would be 1.8 % low, and the channel that much too fast.
+/// With this support the lattice sum of a cubic spline gives a second derivative accurate to 1e-4, the softening
+/// `0.01 (H / 2)^2` of Morris et al. included (H is the support radius). With 32 neighbours it would be 1.8 % too low,
+/// and the channel flow too fast by as much.
 const AVERAGE_NEIGHBOURS: f32 = 27.0;
 
-/// Half of Morris' `0.125 h^2 / nu`, h being half of the support: the walls answer twice as stiffly as the fluid.
+/// Time step over `h^2 / nu`, h being half of the support radius. It is half of the limit 0.125 of Morris et al., since
+/// wall particles respond twice as stiffly as the fluid.
 const DIFFUSION: f64 = 0.0625;
 
-/// When the profile is looked at, s: theirs.
+/// Times at which the profile is compared, s, as in the paper.
 const TIMES: [f64; 5] = [0.0225, 0.045, 0.1125, 0.225, 1.0];
 const QUICK_TIMES: usize = 4;
 
-/// Of the issue: 2 % of the largest speed of the moment, at 50 across. (Morris reports 0.7 % and 0.5 %.)
+/// Required limit: 2 % of the largest speed at the time, with 50 particles across. Morris et al. report 0.7 %
+/// (Poiseuille) and 0.5 % (Couette).
 const LIMIT: f64 = 0.02;
 
-/// The tables have six digits.
+/// Limit for the series against the reference tables, which have six digits.
 const SERIES_LIMIT: f64 = 1e-5;
 
-/// What drives a channel.
+/// What drives a channel flow, and its reference.
 struct Drive {
     name: &'static str,
-    /// Velocity over `scale`, at a height and a time.
+    /// Series for the velocity over `scale`, as a function of height and time.
     series: fn(f64, f64) -> f64,
-    /// Of the velocities of the scene.
+    /// Factor from the series to the velocities of the scene, m/s.
     scale: f32,
     /// Acceleration along the channel, m/s2.
     force: f32,
     /// Velocity of the ceiling, m/s.
     lid: f32,
-    /// Their table, and the scale of its velocities, m/s.
+    /// Reference table, and the factor from the series to its velocities, m/s.
     table: &'static str,
     table_scale: f64,
 }
@@ -86,13 +92,13 @@ fn run(context: &Context, drive: &Drive) -> Result<Outcome, Failure> {
     let worst: Vec<f64> = errors.iter().map(|errors| errors.iter().copied().fold(0.0, larger)).collect();
     let [coarse, fine] = [0, 1].map(|i| worst.get(i).copied().unwrap_or(f64::NAN));
     let figures = vec![
-        Metric::below("series against the table of the catalogue", series_error(drive)?, SERIES_LIMIT),
-        Metric::below(format!("largest error over u_max, {} across", ACROSS[1]), fine, LIMIT),
-        Metric::below(format!("over the same with {} across", ACROSS[0]), fine / coarse, 1.0),
+        Metric::below("series against the reference table", series_error(drive)?, SERIES_LIMIT),
+        Metric::below(format!("largest error over u_max, {} particles across", ACROSS[1]), fine, LIMIT),
+        Metric::below(format!("that error over the error with {} particles across", ACROSS[0]), fine / coarse, 1.0),
     ];
     let percent = |i: usize, time: usize| format!("{:.2} %", errors[i][time] * 100.0);
     let lines = times.iter().enumerate().map(|(time, t)| [format!("{t}"), percent(0, time), percent(1, time)]);
-    let titles = ["t, s", "error over u_max, 25 across", "50 across"];
+    let titles = ["t, s", "error over u_max, 25 particles across", "50 particles across"];
     let order = format!("Observed order of the largest error: {:.2}.", (coarse / fine).log2());
     Ok(Outcome::new(drive.name, figures, vec![table(titles, lines), order]))
 }
@@ -128,7 +134,7 @@ fn scene(drive: &Drive, across: u16) -> Scene {
     scene
 }
 
-/// Error of the profile at each time, over the largest speed then.
+/// Returns the error of the profile at each time, over the largest exact speed at that time.
 fn errors_of(context: &Context, drive: &Drive, across: u16, times: &[f64]) -> Result<Vec<f64>, Failure> {
     let scene = scene(drive, across);
     let scene = checked(drive.name, &scene)?;
@@ -144,7 +150,7 @@ fn errors_of(context: &Context, drive: &Drive, across: u16, times: &[f64]) -> Re
     Ok(errors)
 }
 
-/// Largest miss of a particle, over the largest speed that there should be.
+/// Returns the largest velocity error of a particle, over the largest exact speed.
 fn error(drive: &Drive, solver: &Solver<'_>) -> f64 {
     let scale = f64::from(drive.scale);
     let (mut miss, mut fastest) = (0.0, 0.0);
@@ -156,7 +162,7 @@ fn error(drive: &Drive, solver: &Solver<'_>) -> f64 {
     miss / fastest
 }
 
-/// How far the series computed here is from the table, over the largest speed of each time.
+/// Returns the largest difference between the series and the table, over the largest speed at each time.
 fn series_error(drive: &Drive) -> Result<f64, Failure> {
     let table = numbers(drive.table)?;
     let mut worst = 0.0;

@@ -1,4 +1,5 @@
-//! Water at rest in a tank of wall particles in the plane, open at the top: what three studies look at.
+//! A tank of water at rest in two dimensions, with walls of particles, open at the top. It is used by the studies
+//! `hydrostatic`, `still-tank` and `pressure-correction`.
 use super::flow::{fluid, grid, mean};
 use super::recipes::WENDLAND;
 use glam::Vec3;
@@ -9,7 +10,7 @@ use millpond_core::scene::{Block, Dimension, Face, Fluid, Formulation, Kernel, S
 /// A tank of water.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Column {
-    /// Distance between particles, m.
+    /// Particle spacing, m.
     pub(super) spacing: f32,
     /// Width of the tank, m.
     pub(super) width: f32,
@@ -17,38 +18,39 @@ pub(super) struct Column {
     pub(super) depth: f32,
     /// Downward acceleration, m/s2.
     pub(super) gravity: f32,
-    /// m/s.
+    /// Speed of sound, m/s.
     pub(super) speed_of_sound: f32,
-    /// Share of a support radius that sound travels in a time step.
+    /// Share of the support radius that sound travels in a time step.
     pub(super) courant: f64,
-    /// Kernel of all terms, and particles inside its support.
+    /// Kernel of all terms, and number of neighbours.
     pub(super) kernel: (Kernel, f32),
-    /// Displacement at the start, spacings.
+    /// Random displacement at the start, in spacings.
     pub(super) jitter: f32,
 }
 
-/// With so many neighbours the gradient of the cubic spline is exact on the lattice; with others it is up to 2 % too small,
-/// and the pressure that holds the water up as much too large.
+/// With 27 neighbours the gradient of the cubic spline is exact on the lattice. With other numbers it is up to 2 % too
+/// small, and the pressure that carries the water is too large by as much.
 const EXACT: (Kernel, f32) = (Kernel::CubicSpline, 27.0);
 
-/// An even lattice settles into rows whose pressures alternate, which no density sum sees.
+/// Random displacement at the start, in spacings. A regular lattice would settle into rows with alternating pressures,
+/// which a density sum does not detect.
 const JITTER: f32 = 0.2;
 
-/// kg/m3.
+/// Rest density, kg/m3.
 const REST_DENSITY: f32 = 1000.0;
 
-/// How far the walls rise above the water, as a share of its depth.
+/// Height of the walls above the water, as a share of its depth.
 const HEADROOM: f32 = 0.2;
 
-/// Layers at the floor and at the surface that do not count: half of their neighbours are walls, or missing.
+/// Layers at the floor and at the surface that are excluded: half of their neighbours are wall particles, or missing.
 const MARGIN: usize = 2;
 
 impl Column {
-    /// The tank of the catalogue's case H1: g = 1 m/s2 and ten times the speed of a wave, which leaves 1 % of compression at
-    /// the floor.
+    /// Returns the tank of case H1 (after Adami et al. 2012): g = 1 m/s2 and a speed of sound of ten times the
+    /// long-wave speed, which compresses the water by 1 % at the floor.
     pub(super) fn of_catalogue(spacing: f32) -> Column {
         let (depth, gravity) = (0.9f32, 1.0f32);
-        // an eighth of a support a step is a quarter of the textbook's h
+        // an eighth of the support radius per step is a quarter of the smoothing length h = H / 2 of textbooks
         Column {
             spacing,
             width: 1.0,
@@ -61,8 +63,8 @@ impl Column {
         }
     }
 
-    /// The scene: one kernel that does not pair, masses for which the lattice has the rest density, no suction at the
-    /// surface.
+    /// Returns the scene. A single kernel serves all terms, and particles do not pair with it. Masses are chosen so
+    /// that the lattice has the rest density. Negative pressure is off, so that there is none at the surface.
     pub(super) fn scene(&self) -> Scene {
         let fluid = Fluid { rest_density: REST_DENSITY, speed_of_sound: self.speed_of_sound, ..Fluid::default() };
         let block = Block { size: Vec3::new(self.width, self.depth, 0.0), jitter: self.jitter, ..Block::default() };
@@ -86,53 +88,54 @@ impl Column {
         scene
     }
 
-    /// `sqrt(g H)`, the speed of a long wave, m/s.
+    /// Returns the speed of a long wave, `sqrt(g H)`, m/s. H is the depth of the water.
     pub(super) fn wave_speed(&self) -> f64 {
         (f64::from(self.gravity) * f64::from(self.depth)).sqrt()
     }
 
-    /// By how much the weight lowers the mean height, `g H^2 / (3 c^2)`: a layer at y sinks by the integral of
-    /// `g (H - y) / c^2` up to there, m.
+    /// Returns by how much the weight lowers the mean height, `g H^2 / (3 c^2)`, m. A layer at height y sinks by the
+    /// integral of `g (H - y) / c^2` from the floor to y.
     pub(super) fn compression(&self) -> f64 {
         let [gravity, depth, sound] = [self.gravity, self.depth, self.speed_of_sound].map(f64::from);
         gravity * depth.powi(2) / (3.0 * sound.powi(2))
     }
 
-    /// Pressure at the floor, Pa.
+    /// Returns the hydrostatic pressure at the floor, Pa.
     pub(super) fn floor_pressure(&self) -> f64 {
         f64::from(REST_DENSITY) * f64::from(self.gravity) * f64::from(self.depth)
     }
 
-    /// Particles of the fluid that are not between the walls any more.
+    /// Returns the number of fluid particles that are no longer between the walls.
     pub(super) fn lost(&self, solver: &Solver<'_>) -> usize {
         let inside = |x: f32, y: f32| x >= 0.0 && x <= self.width && y >= 0.0 && y <= self.depth * (1.0 + HEADROOM);
         fluid(solver).iter().filter(|p| !inside(p.position.x, p.position.y)).count()
     }
 
-    /// Mean height of the fluid, m.
+    /// Returns the mean height of the fluid, m.
     pub(super) fn mean_height(solver: &Solver<'_>) -> f64 {
         mean(&fluid(solver), |particle| f64::from(particle.position.y))
     }
 }
 
-/// Sums over time of each particle's height and pressure: a single state shows where the sound just is.
+/// Sums of each particle's height and pressure over time. The profile needs a mean over time, since a single state also
+/// contains the sound waves of that moment.
 #[derive(Debug, Default)]
 pub(super) struct Profile {
     sums: Vec<[f64; 2]>,
     samples: f64,
 }
 
-/// How far a profile is off, over the pressure at the floor.
+/// Errors of a pressure profile, over the pressure at the floor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Miss {
-    /// Of the layer that is furthest off.
+    /// Largest error of a layer.
     pub(super) largest: f64,
-    /// Root of the mean square over the layers.
+    /// Root mean square error over the layers.
     pub(super) rms: f64,
 }
 
 impl Profile {
-    /// Adds the state now.
+    /// Adds the current state.
     pub(super) fn add(&mut self, solver: &Solver<'_>) {
         let fluid = fluid(solver);
         self.sums.resize(fluid.len(), [0.0; 2]);
@@ -143,7 +146,8 @@ impl Profile {
         }
     }
 
-    /// Mean height and pressure of each layer of one spacing, from the floor to the surface, margins left out.
+    /// Returns the mean height and pressure of each layer of one spacing, from the floor to the surface, without the
+    /// excluded layers.
     pub(super) fn layers(&self, column: &Column) -> Vec<[f64; 2]> {
         let count = (column.depth / column.spacing).round() as usize;
         let mut layers = vec![([0.0; 2], 0.0); count];
@@ -159,14 +163,14 @@ impl Profile {
         inner.filter(|(_, n)| *n > 0.0).map(|(sums, n)| sums.map(|sum| sum / n)).collect()
     }
 
-    /// Against `p = rho0 g (H - y)`. Compression by the equation of state alone makes 0.4 % of difference in the middle, at
-    /// 1 % of density at the floor.
+    /// Compares the profile with `p = rho0 g (H - y)`. The compression by the equation of state alone causes a
+    /// difference of 0.4 % in the middle, if the density at the floor is 1 % higher than at rest.
     pub(super) fn miss(&self, column: &Column) -> Miss {
         let floor = column.floor_pressure();
         let layers = self.layers(column);
         let off = |[height, pressure]: &[f64; 2]| pressure / floor - (1.0 - height / f64::from(column.depth));
         let rms = mean(&layers, |layer| off(layer).powi(2)).sqrt();
-        // no layers at all are no good layers
+        // without layers the error must not pass as zero
         let largest =
             if layers.is_empty() { f64::NAN } else { layers.iter().map(|l| off(l).abs()).fold(0.0, f64::max) };
         Miss { largest, rms }

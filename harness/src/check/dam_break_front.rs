@@ -1,5 +1,6 @@
-//! `dam-break-front`: the catalogue's case D1. A column of water, twice as high as wide, collapses onto a dry bed; how far
-//! its front has come is compared with the experiments of Martin and Moyce 1952 and of Koshizuka and Oka 1996.
+//! `dam-break-front`: case D1. A column of water, twice as high as wide, collapses onto a dry bed. The position of its
+//! front over time is compared with the experiments of Martin and Moyce 1952, which have the limits, and of Koshizuka
+//! and Oka 1996.
 use super::flow::{checked, grid, start_with, step, steps_to};
 use super::recipes::WENDLAND;
 use super::reference::{along, pairs};
@@ -16,48 +17,53 @@ use millpond_core::{Checked, Solver};
 
 const NAME: &str = "dam-break-front";
 
-/// Of the column: base a and height n^2 a, m; of the tank, m; m/s2.
+/// Base a and height n^2 a of the column, m; size of the tank, m; gravity, m/s2.
 const BASE: f32 = 1.0;
 const HEIGHT: f32 = 2.0;
 const TANK: [f32; 3] = [5.0, 2.4, 0.0];
 const GRAVITY: f32 = 9.81;
 
-/// Particles along the base. The catalogue's middle level has the limits.
+/// Particles along the base. The limits are meant for the finer one, the middle resolution of case D1.
 const COARSE: u16 = 25;
 const FINE: u16 = 50;
 
-/// Ten times `sqrt(2 g H)`, the speed of a fall from the top, m/s.
+/// Speed of sound, m/s: ten times `sqrt(2 g H)`, the speed after a fall from the top.
 const SPEED_OF_SOUND: f32 = 62.6;
 
-/// Share of the support that sound travels in a step; the front is ten times slower.
+/// Share of the support radius that sound travels in a step; the front is ten times slower.
 const COURANT: f64 = 0.2;
 
-/// Pa s; a Reynolds number of some 1000, as much as 0.02 of artificial viscosity. It ends the trembling of neighbours.
+/// Dynamic viscosity, Pa s. The Reynolds number is about 1000, as with an artificial viscosity of 0.02. It damps the
+/// jitter between neighbouring particles.
 const VISCOSITY: f32 = 5.0;
 
-/// When it ends: the last point of Martin and Moyce is at T = 3.33.
+/// End of the run, in units of T: the last point of Martin and Moyce is at T = 3.33.
 const END: f64 = 3.4;
 const STEPS_PER_SAMPLE: u64 = 10;
 
-/// A particle with fewer others than this in its support has parted from the tongue: it is spray, and no front.
+/// Least number of other particles in the support of a particle of the front. A particle with fewer has separated from
+/// the tongue and counts as spray.
 const COMPANY: u32 = 2;
 
-/// The gate of the experiment does not open at once; it costs at most that much of T.
+/// Largest time shift, in units of T, and number of shifts that are tried. The gate of the experiment does not open
+/// instantly, which delays the front by at most this much.
 const LARGEST_SHIFT: f64 = 0.3;
 const SHIFTS: u16 = 60;
 
-/// Of the catalogue: rms of Z's relative error against Martin and Moyce, as it is and shifted.
+/// Limits of case D1: root mean square of the relative error of Z against Martin and Moyce, without a time shift and
+/// with the best one.
 const RAW_LIMIT: f64 = 0.10;
 const SHIFTED_LIMIT: f64 = 0.05;
 
-/// Of a frictionless dam break (Ritter): no front keeps on faster than `dZ/dT = 2`, seen over the later part of the table.
+/// Limit of the front speed `dZ/dT`, averaged over the later part of the table. In a frictionless dam break (Ritter
+/// 1892) no front keeps moving faster than 2.
 const SPEED_LIMIT: f64 = 2.0;
 const LATER: [f64; 2] = [1.43, 3.33];
 
-/// Forms with the limits.
+/// The forms that have the limits.
 const BEST: (DensityForm, WallPressure) = (DensityForm::Summation, WallPressure::Dynamic);
 
-/// The front: Z = z / a over T = n t sqrt(g / a).
+/// The front: Z = z / a against T = n t sqrt(g / a).
 type Front = Vec<[f64; 2]>;
 
 pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
@@ -100,16 +106,16 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let speed = (along(&front, LATER[1]) - along(&front, LATER[0])) / (LATER[1] - LATER[0]);
     let mut figures = vec![
         Metric::below(format!("rms error of Z, a/dx = {side}"), raw[0], RAW_LIMIT),
-        Metric::below(format!("the same, best shift, a/dx = {side}"), shifted[0], SHIFTED_LIMIT),
-        Metric::below("dZ/dT from 1.43 to 3.33", speed, SPEED_LIMIT),
+        Metric::below(format!("rms error of Z with the best time shift, a/dx = {side}"), shifted[0], SHIFTED_LIMIT),
+        Metric::below("mean dZ/dT from T = 1.43 to 3.33", speed, SPEED_LIMIT),
     ];
     if !context.quick {
-        // shifted: what remains of the raw error is the experiment's gate, which no resolution opens faster
+        // with the shift, since the rest of the raw error comes from the gate of the experiment at any resolution
         let (_, coarse, _) = judged(&coarse);
         let ratio = shifted[0] / coarse[0];
-        figures.push(Metric::below(format!("best shift, over that with a/dx = {COARSE}"), ratio, 1.0));
+        figures.push(Metric::below(format!("error with the best shift, over that with a/dx = {COARSE}"), ratio, 1.0));
     }
-    let titles = ["a/dx", "density, walls", "Martin and Moyce: rms, best shift", "Koshizuka and Oka"];
+    let titles = ["a/dx", "density, walls", "Martin and Moyce: rms error, with best shift", "Koshizuka and Oka"];
     let points = measured.iter().map(|[t, z]| [format!("{t}"), format!("{z}"), format!("{:.2}", along(&front, *t))]);
     let notes = vec![table(titles, lines), table(["T", "Z measured", &format!("Z, a/dx = {side}")], points)];
     Ok(Outcome::new(NAME, figures, notes))
@@ -126,7 +132,8 @@ fn scene(side: u16, (density, wall_pressure): (DensityForm, WallPressure)) -> Sc
     let mut scene = Scene::of(Dimension::Two, spacing, 1.0, fluid, block);
     scene.time_step = (COURANT * support_radius(&scene) / f64::from(SPEED_OF_SOUND)) as f32;
     scene.gravity = Vec3::new(0.0, -GRAVITY, 0.0);
-    // the column stands behind its gate before it is let go; numbers of particles cannot be made to show its weight
+    // Before its release the column rests behind the gate, so it starts hydrostatic. A number density ignores particle
+    // masses, so it cannot start like this.
     let initialize_hydrostatic = density != DensityForm::NumberDensity;
     scene.model = Formulation {
         density,
@@ -159,8 +166,8 @@ fn collapse(context: &Context, side: u16, form: (DensityForm, WallPressure)) -> 
     Ok(front)
 }
 
-/// Far edge of the rightmost column of one spacing that holds at least half of a full layer, m. A particle counts for the
-/// columns that its own width of one spacing covers, by their shares.
+/// Returns the far edge of the rightmost column, one spacing wide, that holds at least half of a full layer, m. A
+/// particle is one spacing wide and counts for the columns that it overlaps, in proportion to the overlap.
 fn place_of_front(solver: &mut Solver<'_>, scene: &Checked<'_>) -> f64 {
     let spacing = f64::from(scene.particle_spacing);
     let water = scene.derived().fluid_particles;
@@ -188,13 +195,13 @@ fn place_of_front(solver: &mut Solver<'_>, scene: &Checked<'_>) -> f64 {
     front.map_or(0.0, |column| (column + 1) as f64 * spacing)
 }
 
-/// Root of the mean square of Z's relative error, the computed clock set back by `shift`.
+/// Returns the root mean square of the relative error of Z, with the computed curve delayed by `shift`.
 fn rms_error(front: &[[f64; 2]], measured: &[[f64; 2]], shift: f64) -> f64 {
     let square = |[t, z]: &[f64; 2]| ((along(front, t - shift) - z) / z).powi(2);
     (measured.iter().map(square).sum::<f64>() / measured.len() as f64).sqrt()
 }
 
-/// The shift that fits best, and its error.
+/// Returns the shift with the smallest error, and that error.
 fn best_shift(front: &[[f64; 2]], measured: &[[f64; 2]]) -> (f64, f64) {
     let shifts = (0..=SHIFTS).map(|i| LARGEST_SHIFT * f64::from(i) / f64::from(SHIFTS));
     let tried = shifts.map(|shift| (shift, rms_error(front, measured, shift)));

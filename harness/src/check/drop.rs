@@ -1,8 +1,9 @@
-//! A round drop in the plane, calmed by viscosity: what `laplace-drop` and `oscillating-drop` look at.
+//! A round drop in two dimensions, calmed by viscosity. The studies `laplace-drop` and `oscillating-drop` start from
+//! it.
 //!
-//! What is around it is a like fluid, another one by number only, in a periodic square; or nothing. A like fluid is packed
-//! denser than at rest. Its pressure then is positive everywhere: where it were negative particles would clump, and at an
-//! interface it is lowest.
+//! The drop lies in vacuum, or in an identical fluid: a second fluid with the same properties, in a periodic square.
+//! With an identical fluid the particles are packed more densely than at rest, so that pressure is positive everywhere.
+//! Where pressure is negative particles clump, and it is lowest at an interface.
 use super::Context;
 use super::flow::{checked, fluid, grid, heap_for, larger, mean, start_with, step, steps_to};
 use super::recipes::SEVERAL_FLUIDS;
@@ -15,53 +16,58 @@ use millpond_core::scene::{
 use millpond_core::{Particle, Solver};
 use std::f64::consts::PI;
 
-/// Distance between particles at the start, m: the catalogue's drop of R = 0.2 m has a radius of 20.
+/// Particle spacing at the start, m. The radius of the drop of cases S1 and S2, R = 0.2 m, is 20 spacings.
 pub(super) const SPACING: f32 = 0.01;
 
-/// The catalogue's: kg/m3, and N/m for the models that have a tension of their own.
+/// Rest density, kg/m3, and surface tension, N/m, of cases S1 and S2. The tension is for the models whose coefficient
+/// is a surface tension.
 pub(super) const REST_DENSITY: f32 = 1.0;
 pub(super) const SIGMA: f32 = 1.0;
 
 /// Side of the periodic square over the radius of the drop.
 pub(super) const SIDE: u16 = 4;
 
-/// Share of the support that sound travels in a step; of the longest steps that viscosity (Morris et al. 1997) and tension
-/// (Brackbill et al. 1992) allow, `h^2 / nu` and `sqrt(rho h^3 / (2 pi sigma))`, h being half of the support.
+/// Limits of the time step: share of the support radius that sound travels, and shares of the longest steps for
+/// viscosity (Morris et al. 1997), `h^2 / nu`, and surface tension (Brackbill et al. 1992),
+/// `sqrt(rho h^3 / (2 pi sigma))`. h is half of the support radius.
 const COURANT: f64 = 0.2;
 const DIFFUSION: f64 = 0.125;
 const CAPILLARY: f64 = 0.25;
 
-/// The inside of a drop is what is nearer to its centre than this share of its radius, the outside what is farther than that.
+/// A particle is inside of a drop if its distance from the centre is less than the first share of the radius, and
+/// outside if it is more than the second.
 const INSIDE: f64 = 0.5;
 const OUTSIDE: f64 = 1.5;
 
-/// Radius of the drops that the times to calm down are for, m. Viscosity calms a smaller one sooner, as the square of its
-/// radius, which a quick study makes use of.
+/// Radius of the drops to which the calming times apply, m. Viscosity calms a smaller drop sooner, in proportion to the
+/// square of its radius, which a quick study uses.
 const CALMED_RADIUS: f64 = 0.2;
 
-/// Share of the time to calm down after which pressures are averaged.
+/// Share of the calming time after which pressures are averaged.
 const CALM: f64 = 0.5;
 const STEPS_PER_SAMPLE: u64 = 10;
 
-/// What each model of tension is tried with.
+/// Settings of a surface tension model.
 #[derive(Clone, Copy, Debug)]
 struct Setting {
-    /// `Fluid::surface_tension`, in the model's unit.
+    /// `Fluid::surface_tension`, in the unit of the model.
     coefficient: f32,
-    /// Kernel of all terms, and particles inside its support.
+    /// Kernel of all terms, and number of neighbours.
     kernel: (Kernel, f32),
-    /// m/s. `10 sqrt(sigma / (rho R))` keeps the compression by a tension of 1 N/m to 1 % at R = 0.2 m.
+    /// Speed of sound, m/s. `10 sqrt(sigma / (rho R))` limits the compression by a tension of 1 N/m to 1 % at
+    /// R = 0.2 m.
     speed_of_sound: f32,
-    /// Spacing of the scene over that of the particles, with a fluid around: the pressure at large is
+    /// Spacing of the scene over that of the particles, with a fluid around the drop. The background pressure is
     /// `rho0 c0^2 (looser^14 - 1) / 7`.
     looser: f32,
-    /// Kinematic viscosity that calms the drop, m2/s, and for how long, s.
+    /// Kinematic viscosity that calms the drop, m2/s, and calming time, s.
     calming: (f32, f64),
 }
 
-/// The curvature of the colour has the second derivative across the surface in it as well. It acts alike on both sides and so
-/// is no jump, but it pulls them apart by some `sigma / H`, many times `sigma / R`: it takes a wide support, a stiff fluid and
-/// much pressure at large to bear that.
+/// The curvature from the colour field also contains the second derivative of the colour across the surface. That part
+/// is equal on both sides and so does not change the pressure jump, but it pulls the sides apart with about
+/// `sigma / H`, many times `sigma / R` (H is the support radius). This takes a wide support, a stiff fluid and a high
+/// background pressure.
 const CURVATURE: Setting = Setting {
     coefficient: SIGMA,
     kernel: (Kernel::WendlandC4, 80.0),
@@ -78,9 +84,9 @@ const NORMAL_CURVATURE: Setting = Setting {
     calming: (0.05, 0.3),
 };
 
-/// Attraction takes about 0.3 times its coefficient, in pascals at 1 kg/m3, from the pressure of what it holds together: the
-/// pressure at large must be the larger one. And a lattice under that pressure bears shear, as a surface does: little enough
-/// with these neighbours (`millpond check kernels` has the table).
+/// Attraction lowers the pressure of the fluid that it holds together by about 0.3 times its coefficient, in pascals at
+/// 1 kg/m3. The background pressure must be larger than that. A lattice under that pressure also resists shear, as a
+/// surface does; with these neighbours the resistance is small enough (`millpond check kernels` prints the table).
 const ATTRACTION: Setting = Setting {
     coefficient: 60.0,
     kernel: (Kernel::WendlandC4, 55.0),
@@ -89,62 +95,63 @@ const ATTRACTION: Setting = Setting {
     calming: (0.05, 1.0),
 };
 
-/// The same, with about half of the coefficient.
+/// As for attraction, but the sum of gradients lowers the pressure by about half of its coefficient.
 const GRADIENT_SUM: Setting = Setting { kernel: (Kernel::WendlandC4, 57.0), looser: 1.05, ..ATTRACTION };
 
-/// What is around a drop.
+/// What surrounds a drop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Around {
-    /// Another fluid with the same properties.
+    /// A second fluid with the same properties.
     Like,
-    /// Nothing.
+    /// Vacuum.
     Nothing,
 }
 
 impl Around {
-    /// In words.
+    /// Returns its name for tables and figures.
     pub(super) fn name(self) -> &'static str {
         match self {
-            Around::Like => "a like fluid",
-            Around::Nothing => "nothing",
+            Around::Like => "an identical fluid",
+            Around::Nothing => "vacuum",
         }
     }
 }
 
-/// A drop before anything happened to it.
+/// Set-up of a drop.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Droplet {
-    /// What holds it together.
+    /// Model of surface tension.
     pub(super) tension: SurfaceTension,
-    /// What it is in.
+    /// What surrounds the drop.
     pub(super) around: Around,
     /// Radius in spacings.
     pub(super) radius: u16,
-    /// Distance between particles, m.
+    /// Particle spacing, m.
     pub(super) spacing: f32,
-    /// Where the centre of the disc is that is cut out of the lattice, from a corner of four cells, spacings.
+    /// Centre of the disc that is cut out of the lattice, relative to a corner of four lattice cells, in spacings.
     pub(super) offset: [f64; 2],
 }
 
-/// A drop that has come to rest, but for its spurious currents.
+/// A drop at rest, apart from its spurious currents.
 #[derive(Clone, Debug)]
 pub(super) struct Calm {
-    /// Its particles, and those around it, without their velocities.
+    /// Particles of the drop and around it, without their velocities.
     pub(super) places: Vec<InitialParticle>,
-    /// Where its centre is, m.
+    /// Centre of the drop, m.
     pub(super) centre: [f64; 2],
     /// Pressure inside less pressure outside, Pa.
     pub(super) jump: f64,
-    /// Radius of a disc of its volume, m.
+    /// Radius of a disc with the drop's volume, m.
     pub(super) radius: f64,
-    /// Mass over volume, kg/m3.
+    /// Density of the packing at the start: mass over volume, kg/m3.
     pub(super) density: f64,
-    /// Viscosity, Pa s, times the root of the mean square speed, and times the largest one: N/m.
+    /// Dynamic viscosity times the root mean square speed, and times the largest speed, N/m. Divided by the surface
+    /// tension they are capillary numbers.
     pub(super) currents: [f64; 2],
 }
 
 impl Droplet {
-    /// The catalogue's, as fine as so many spacings along its radius.
+    /// Returns the drop of cases S1 and S2 with a radius of `radius` spacings.
     pub(super) fn of_catalogue(tension: SurfaceTension, around: Around, radius: u16) -> Droplet {
         Droplet { tension, around, radius, spacing: SPACING * 20.0 / f32::from(radius), offset: [0.0; 2] }
     }
@@ -158,23 +165,23 @@ impl Droplet {
         }
     }
 
-    /// What it is called in tables and figures.
+    /// Returns its name for tables and figures.
     pub(super) fn title(&self) -> String {
         format!("{} in {}, R/dx = {}", self.tension.name(), self.around.name(), self.radius)
     }
 
-    /// Its coefficient of tension.
+    /// Returns its coefficient of surface tension.
     pub(super) fn coefficient(&self) -> f64 {
         f64::from(self.setting().coefficient)
     }
 
-    /// Half of the side of the square that holds it, m.
+    /// Returns half of the side of the square around it, m.
     fn half_side(&self) -> f32 {
         f32::from(SIDE * self.radius) * self.spacing / 2.0
     }
 
-    /// The scene, with a kinematic viscosity in m2/s. There is suction in nothing too, which is a tension of its own at a
-    /// surface: without it particles come off.
+    /// Returns the scene with a kinematic viscosity, m2/s. Negative pressure is allowed in vacuum too. There it adds a
+    /// tension at the surface, but without it particles would detach.
     pub(super) fn scene(&self, viscosity: f32) -> Scene {
         let setting = self.setting();
         let like = self.around == Around::Like;
@@ -216,7 +223,8 @@ impl Droplet {
         scene
     }
 
-    /// A lattice whose points inside of the disc are the drop's, and the others those of what is around it, if anything.
+    /// Returns a lattice. Points inside of the disc belong to the drop. The others belong to the fluid around it, or
+    /// are left out in vacuum.
     fn places(&self) -> Vec<InitialParticle> {
         let count = SIDE * self.radius;
         let along = |i: u16| (f64::from(i) + 0.5 - f64::from(count) / 2.0) * f64::from(self.spacing);
@@ -235,10 +243,10 @@ impl Droplet {
         all
     }
 
-    /// Lets it calm down, and measures it meanwhile.
+    /// Runs the drop until it is calm, and averages its pressures in the later part of the run.
     ///
     /// # Errors
-    /// A scene that cannot start, a step that could not be made.
+    /// The scene cannot start, or a step fails.
     pub(super) fn calm(&self, context: &Context, study: &str) -> Result<Calm, Failure> {
         let (viscosity, end) = self.setting().calming;
         let radius = f64::from(self.radius) * f64::from(self.spacing);
@@ -273,23 +281,24 @@ impl Droplet {
     }
 }
 
-/// The longest step that sound, viscosity and tension allow, s.
+/// Returns the longest time step that sound, viscosity and surface tension allow, s.
 fn time_step(scene: &Scene, viscosity: f64) -> f64 {
     let support = support_radius(scene);
     let h = support / 2.0;
     let sound = COURANT * support / f64::from(scene.fluids[0].speed_of_sound);
     let diffusion = DIFFUSION * h * h / viscosity;
-    // models without a tension of their own make less than this one
+    // models whose coefficient is not a surface tension cause less tension than this
     let capillary = CAPILLARY * (f64::from(REST_DENSITY) * h.powi(3) / (2.0 * PI * f64::from(SIGMA))).sqrt();
     sound.min(diffusion).min(capillary)
 }
 
-/// Particles of the drop: it is the first fluid.
+/// Returns the particles of the drop, which is the first fluid.
 pub(super) fn of_drop(solver: &Solver<'_>) -> Vec<Particle> {
     solver.particles().filter(|particle| particle.fluid == 0).collect()
 }
 
-/// Mean position of particles, m. A drop stays in the middle of its square, so none of it is beyond a side.
+/// Returns the mean position of particles, m. A drop stays in the middle of its square, so no particle of it crosses a
+/// side.
 pub(super) fn centre(particles: &[Particle]) -> [f64; 2] {
     [0, 1].map(|axis| mean(particles, |particle| f64::from(particle.position[axis])))
 }
@@ -306,7 +315,7 @@ struct Sums {
 }
 
 impl Sums {
-    /// Adds the state now.
+    /// Adds the current state.
     fn add(&mut self, drop: &Droplet, solver: &Solver<'_>) {
         let all = fluid(solver);
         let own = of_drop(solver);

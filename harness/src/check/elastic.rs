@@ -1,8 +1,9 @@
-//! `elastic`: Pirovano test 3 (section 5.3.3) and the spring that it is made of (Pirovano eq. 2.26).
+//! `elastic`: Pirovano test 3 (section 5.3.3), an elastic cube, and the spring that it is made of (Pirovano, eq. 2.26).
 //!
-//! Two particles on one spring swing with the period of its stiffness and their masses: the more steps to a period, the
-//! closer. An elastic cube that falls onto the floor of a box flattens, bounces, trembles and has its shape again, and
-//! the account of its energies never grows: what a penalty wall takes is gone, and it gives nothing.
+//! Two particles on one spring oscillate with the period that follows from its stiffness and their masses. The error of
+//! the period falls with the number of steps per period. An elastic cube that falls onto the floor of a box flattens,
+//! bounces, vibrates and recovers its shape. The sum of its energies must not grow: penalty planes take energy away and
+//! supply none.
 use super::flow::{checked, fluid, grid, larger, mean, start_with, step, steps_to};
 use super::recipes::WENDLAND;
 use super::{Context, Metric, Outcome};
@@ -17,23 +18,26 @@ use std::f64::consts::{PI, TAU};
 
 const NAME: &str = "elastic";
 
-/// Of the pair: distance, m; stiffness, N/m; speed of each, m/s, which stretches the spring by a sixth.
+/// The pair: spacing, m; stiffness, N/m; speed of each particle, m/s, which stretches the spring by a sixth.
 const PAIR_SPACING: f32 = 0.1;
 const PAIR_STIFFNESS: f32 = 400.0;
 const PAIR_SPEED: f32 = 0.05;
 
-/// Steps a period, and periods that are measured.
+/// Steps per period, and number of periods that are measured.
 const STEPS: [u16; 2] = [50, 100];
 const PERIODS: u64 = 10;
 
-/// Of the issue. Verlet's own error is `(omega dt)^2 / 24`: 0.066 % with 50 steps.
+/// Required limits of the error of the period and of its order. The error of the Verlet method is `(omega dt)^2 / 24`:
+/// 0.066 % with 50 steps per period.
 const PERIOD_LIMIT: f64 = 1e-3;
 const ORDER: f64 = 1.9;
 
-/// Verlet keeps an energy beside the true one, which swings about it by `(omega dt)^2 / 4`: 0.1 % with 100 steps.
+/// Limit of the energy error of the pair. The Verlet method conserves an energy close to the true one, which oscillates
+/// about it by `(omega dt)^2 / 4`: 0.1 % with 100 steps per period.
 const PAIR_ENERGY_LIMIT: f64 = 2e-3;
 
-/// Of the cube: particles along an edge, their distance, m, and how high above the floor it starts, m; m/s2.
+/// The cube: particles along an edge, in a full and in a quick study; spacing, m; height above the floor at the
+/// start, m; distance from the side walls, m; gravity, m/s2.
 const EDGE: u16 = 10;
 const QUICK_EDGE: u16 = 8;
 const SPACING: f32 = 0.05;
@@ -41,33 +45,36 @@ const DROP: f32 = 0.3;
 const MARGIN: f32 = 0.3;
 const GRAVITY: f32 = 9.81;
 
-/// N/m. A lattice whose nearest and diagonal springs pull with k/2 has a Young's modulus of `5/4 k / spacing`: landing
-/// with 2.5 m/s flattens the cube by an eighth, and its own weight by a hundredth.
+/// Stiffness, N/m. A lattice whose nearest and diagonal springs pull with k/2 has a Young's modulus of
+/// `5/4 k / spacing`. Landing with 2.5 m/s flattens the cube by an eighth, and its own weight flattens it by a
+/// hundredth.
 const STIFFNESS: f32 = 10_000.0;
 
-/// m/s; Pa s, with which the trembling ends within the time of the study.
+/// Speed of sound, m/s, and dynamic viscosity, Pa s. With this viscosity the vibrations decay within the time of the
+/// study.
 const SPEED_OF_SOUND: f32 = 20.0;
 const VISCOSITY: f32 = 60.0;
 
-/// s; a third of what the stiffest wave of the lattice allows.
+/// Time step, s: a third of the limit of the stiffest wave in the lattice.
 const TIME_STEP: f32 = 0.0005;
 const END: f64 = 2.5;
 const STEPS_PER_SAMPLE: u64 = 10;
 
-/// Energy, over that of the start: in free flight what f32 rounds off; later it only falls, but for what walls that put
-/// particles back leave undone in the account of heat.
+/// Limits of the change of the total energy, over that at the start. In free flight only f32 rounds off. Later the
+/// energy only falls, except that the internal energy does not fully account for walls that put particles back.
 const FLIGHT_LIMIT: f64 = 1e-4;
 const RISE_LIMIT: f64 = 0.01;
 
-/// The energy of the springs, summed here, against the solver's.
+/// Limit of the relative difference between the solver's elastic energy and the sum over the springs made here.
 const SPRINGS_LIMIT: f64 = 1e-3;
 
-/// Jelly: height at its flattest over that of the start, then rise of the centre and of the lowest particle, m.
+/// Limits that show a soft cube: smallest height over that at the start, then rise of the centre and of the lowest
+/// particle after the bounce, m.
 const FLATTEST: f64 = 0.95;
 const BOUNCE: f64 = 0.1;
 const CLEARANCE: f64 = 0.05;
 
-/// Back in shape: rms strain of the springs, and the extents.
+/// Limits that show a recovered shape: rms strain of the springs, and relative errors of the extents.
 const STRAIN_LIMIT: f64 = 0.02;
 const EXTENT_LIMIT: f64 = 0.05;
 
@@ -77,20 +84,20 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let order = ((coarse.period - 1.0) / (fine.period - 1.0)).abs().log2();
     let cube = fall(context)?;
     let figures = vec![
-        Metric::below(format!("period of a pair off by, {few} steps"), (coarse.period - 1.0).abs(), PERIOD_LIMIT),
-        Metric::above(format!("order of that, {few} to {many} steps"), order, ORDER),
-        Metric::below(format!("energy of a pair off by, {many} steps"), fine.energy, PAIR_ENERGY_LIMIT),
-        Metric::below("energy of a falling cube off by", cube.flight, FLIGHT_LIMIT),
-        Metric::below("largest rise of its energy over the start", cube.rise, RISE_LIMIT),
-        Metric::below("energy of its springs, summed here, off by", cube.springs, SPRINGS_LIMIT),
-        Metric::below("height at its flattest over the start's", cube.flattest, FLATTEST),
-        Metric::above("rise of its centre, m", cube.restitution, BOUNCE),
-        Metric::above("rise of its lowest particle, m", cube.clearance, CLEARANCE),
-        Metric::below("rms strain of its springs, at the end", cube.strain, STRAIN_LIMIT),
-        Metric::below("its extent off by, at the end", cube.extent, EXTENT_LIMIT),
+        Metric::below(format!("period error of a pair, {few} steps"), (coarse.period - 1.0).abs(), PERIOD_LIMIT),
+        Metric::above(format!("order of that error, {few} to {many} steps"), order, ORDER),
+        Metric::below(format!("energy error of a pair, {many} steps"), fine.energy, PAIR_ENERGY_LIMIT),
+        Metric::below("energy error of a falling cube", cube.flight, FLIGHT_LIMIT),
+        Metric::below("largest rise of its energy, over that at the start", cube.rise, RISE_LIMIT),
+        Metric::below("error of its elastic energy against the sum over springs", cube.springs, SPRINGS_LIMIT),
+        Metric::below("its smallest height over that at the start", cube.flattest, FLATTEST),
+        Metric::above("rise of its centre after the bounce, m", cube.restitution, BOUNCE),
+        Metric::above("rise of its lowest particle after the bounce, m", cube.clearance, CLEARANCE),
+        Metric::below("rms strain of its springs at the end", cube.strain, STRAIN_LIMIT),
+        Metric::below("largest error of its extents at the end", cube.extent, EXTENT_LIMIT),
     ];
     let pairs = [(few, coarse), (many, fine)].map(|(steps, swing)| {
-        // what velocity Verlet makes of a swing: sin(omega' dt / 2) = omega dt / 2
+        // the frequency omega' of velocity Verlet: sin(omega' dt / 2) = omega dt / 2
         let half = PI / f64::from(steps);
         [steps.to_string(), format!("{:.6}", swing.period), format!("{:.6}", half / half.asin())]
     });
@@ -101,22 +108,24 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         [(*moment).into(), format!("{time:.2}"), kinetic, internal, potential, elastic]
     });
     let notes = vec![
-        table(["steps a period", "period of a pair over 2 pi sqrt(m/k)", "Verlet's own"], pairs),
+        table(["steps per period", "period of a pair over 2 pi sqrt(m/k)", "Verlet in theory"], pairs),
         table(["cube", "t, s", "kinetic, J", "internal", "potential", "elastic"], moments),
     ];
     Ok(Outcome::new(NAME, figures, notes))
 }
 
-/// What a pair came to.
+/// Results of a pair.
 #[derive(Clone, Copy, Debug)]
 struct Swing {
-    /// Its period over `2 pi sqrt(m/k)`: half of the stiffness, and half of a mass for the two of them.
+    /// Period over `2 pi sqrt(m/k)`, the exact period: the spring has half of the stiffness, and the reduced mass of
+    /// two particles is half of their mass.
     period: f64,
-    /// Largest change of its energy, over all of it.
+    /// Largest relative change of the total energy.
     energy: f64,
 }
 
-/// Two particles with nothing but a spring between them: one pair is far from the rest density, and suction is off.
+/// Returns a scene of two particles that interact only by a spring: the density of one pair is far below the rest
+/// density, and negative pressure is off.
 fn pair() -> Scene {
     let fluid = Fluid { elastic_stiffness: PAIR_STIFFNESS, ..Fluid::default() };
     let block = Block { size: Vec3::new(2.0 * PAIR_SPACING, PAIR_SPACING, 0.0), ..Block::default() };
@@ -157,30 +166,30 @@ fn swing(context: &Context, steps: u16) -> Result<Swing, Failure> {
     Ok(Swing { period: period / exact, energy })
 }
 
-/// What a cube came to.
+/// Results of a cube.
 #[derive(Clone, Debug)]
 struct Fall {
-    /// Largest change of the energy before it touches the floor, over that of the start.
+    /// Largest change of the total energy before contact with the floor, over that at the start.
     flight: f64,
-    /// Largest rise of the energy over that of the start.
+    /// Largest rise of the total energy, over that at the start.
     rise: f64,
-    /// How far the solver's energy of the springs is off, when it is largest.
+    /// Relative error of the solver's elastic energy at its largest value.
     springs: f64,
-    /// Smallest height over that of the start.
+    /// Smallest height over that at the start.
     flattest: f64,
-    /// Most that the centre rose again, m.
+    /// Largest rise of the centre from its lowest position, m.
     restitution: f64,
-    /// Highest place of the lowest particle after the first contact, m.
+    /// Largest height of the lowest particle after the first contact, m.
     clearance: f64,
-    /// Root of the mean square strain at the end.
+    /// Root mean square strain of the springs at the end.
     strain: f64,
-    /// Extent at the end that is furthest off, over that of the start.
+    /// Largest relative error of an extent at the end, against the start.
     extent: f64,
-    /// Moments, s, and their energies, J.
+    /// Names of moments, their times, s, and energies, J.
     moments: Vec<(&'static str, f64, Energies)>,
 }
 
-/// A cube above the floor of a box that gives back nothing by itself.
+/// Returns a cube above the floor of a box whose walls return no energy.
 fn cube(context: &Context) -> Scene {
     let edge = f32::from(if context.quick { QUICK_EDGE } else { EDGE }) * SPACING;
     let fluid = Fluid {
@@ -209,7 +218,7 @@ fn fall(context: &Context) -> Result<Fall, Failure> {
     let start = total(&energies);
     let (mut flight, mut rise, mut bounce, mut clearance) = (0.0, 0.0, 0.0, 0.0);
     let (mut flattest, mut lowest_centre) = (f64::INFINITY, f64::INFINITY);
-    // the fullest springs: the solver's energy, the sum here, and when
+    // at the largest elastic energy: the solver's energies, the sum over the springs, and the time
     let mut fullest = (Energies::default(), f64::NAN, 0.0);
     step(NAME, context, &mut solver, steps_to(&scene, END), STEPS_PER_SAMPLE, |solver| {
         let now = solver.energies();
@@ -226,7 +235,7 @@ fn fall(context: &Context) -> Result<Fall, Failure> {
         clearance = larger(clearance, low);
         flattest = flattest.min((high - low) / size[1]);
         if now.elastic > fullest.0.elastic {
-            // half of what it pulls with, which is half of the stiffness
+            // half of the stiffness with which it pulls, which is half of the fluid's
             let energy = |stretch: f64| 0.25 * f64::from(STIFFNESS) * stretch * stretch;
             fullest = (now, stretches(solver).iter().map(|[stretch, _]| energy(*stretch)).sum(), solver.time());
         }
@@ -244,18 +253,18 @@ fn fall(context: &Context) -> Result<Fall, Failure> {
         extent: sizes.map(|(now, before)| (now / before - 1.0).abs()).fold(0.0, larger),
         moments: vec![
             ("at the start", 0.0, energies),
-            ("fullest springs", time, at_fullest),
+            ("largest elastic energy", time, at_fullest),
             ("at the end", solver.time(), solver.energies()),
         ],
     })
 }
 
-/// All of it, J.
+/// Returns the total energy, J.
 fn total(energies: &Energies) -> f64 {
     energies.kinetic + energies.internal + energies.potential + energies.elastic
 }
 
-/// By how much each spring is longer than at rest, and its length at rest, m.
+/// Returns the elongation and the rest length of each spring, m.
 fn stretches(solver: &Solver<'_>) -> Vec<[f64; 2]> {
     let particles: Vec<Particle> = solver.particles().collect();
     let place = |id: u32| particles.get(id as usize).map_or(Vec3::NAN, |particle| particle.position);
@@ -263,7 +272,7 @@ fn stretches(solver: &Solver<'_>) -> Vec<[f64; 2]> {
     solver.springs().map(|spring| stretch(spring.a, spring.b, f64::from(spring.rest_length))).collect()
 }
 
-/// Lowest and highest coordinate along x, y, z, m.
+/// Returns the lowest and the highest coordinate along x, y and z, m.
 fn extents(solver: &Solver<'_>) -> [[f64; 2]; 3] {
     let particles = fluid(solver);
     [0, 1, 2].map(|axis: usize| {

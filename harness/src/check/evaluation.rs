@@ -1,4 +1,5 @@
-//! Kernels from tables (Pirovano, section 4.2.3) beside kernels by formula: how far apart a step comes out, and what it costs.
+//! Tabulated kernels (Pirovano, section 4.2.3) against kernels by formula: the difference that they make in one step,
+//! and their cost. Part of the study `kernels`.
 use super::flow::{checked, fluid, grid, mean, start_with};
 use super::recipes::{PIROVANO, WENDLAND};
 use super::{Context, Metric};
@@ -11,38 +12,40 @@ use millpond_core::OwnedMemory;
 use millpond_core::Particle;
 use millpond_core::scene::{Block, Dimension, Evaluation, Fluid, Formulation, Scene};
 
-/// Particles along an edge of a cube that is shaken by so much of its spacing: pairs at all distances.
+/// Particles along an edge of a cube, in a full and in a quick study; spacing, m; random displacement in spacings, so
+/// that there are pairs at all distances; time step, s.
 const EDGE: u16 = 16;
 const QUICK_EDGE: u16 = 8;
 const SPACING: f32 = 0.05;
 const JITTER: f32 = 0.4;
 const TIME_STEP: f32 = 0.001;
 
-/// Steps whose time is taken.
+/// Number of timed steps.
 const STEPS: u32 = 20;
 
-/// Our choice. A thousand straight pieces leave some 1e-6 of a kernel, and a velocity is what remains after thirty
-/// neighbours nearly balance.
+/// Limits of our own choice, for the relative errors of density and velocity. A table of a thousand linear segments has
+/// an error of about 1e-6 of a kernel. The relative error of a velocity is larger, since the forces of about thirty
+/// neighbours nearly cancel.
 const DENSITY_LIMIT: f64 = 1e-4;
 const VELOCITY_LIMIT: f64 = 1e-3;
 
-/// A way to evaluate, and what came of it.
-struct AxisSetter {
+/// A way to evaluate kernels, and its results.
+struct Evaluated {
     evaluation: Evaluation,
-    /// After one step.
+    /// Particles after one step.
     particles: Vec<Particle>,
     times: Milliseconds,
 }
 
-/// Figures of both tables, for the thesis' kernels and for the modern ones.
+/// Returns the figures of both kinds of table, for Pirovano's kernels and for Wendland's, and a table of all results.
 ///
 /// # Errors
-/// A scene that cannot run.
+/// A scene cannot start, or a step fails.
 pub(super) fn figures(context: &Context) -> Result<(Vec<Metric>, String), Failure> {
-    let models = [("thesis", PIROVANO), ("modern", WENDLAND)];
+    let models = [("Pirovano's", PIROVANO), ("Wendland's", WENDLAND)];
     let mut figures = Vec::new();
     let mut lines = Vec::new();
-    let bar = progress("kernels, from tables", 3 * models.len() as u64);
+    let bar = progress("kernels, tabulated", 3 * models.len() as u64);
     for (name, model) in models {
         let mut ways = Vec::new();
         for evaluation in [Evaluation::Direct, Evaluation::Table, Evaluation::SquaredTable] {
@@ -56,18 +59,18 @@ pub(super) fn figures(context: &Context) -> Result<(Vec<Metric>, String), Failur
         for way in tables {
             let [density, velocity] = apart(&direct.particles, &way.particles);
             let what = format!("{name} kernels, {:?}", way.evaluation);
-            figures.push(Metric::below(format!("density off by, {what}"), density, DENSITY_LIMIT));
-            figures.push(Metric::below(format!("velocity off by, {what}"), velocity, VELOCITY_LIMIT));
+            figures.push(Metric::below(format!("density error, {what}"), density, DENSITY_LIMIT));
+            figures.push(Metric::below(format!("velocity error, {what}"), velocity, VELOCITY_LIMIT));
             let [density, velocity] = [density, velocity].map(|x| format!("{x:.1e}"));
             lines.push([name.into(), format!("{:?}", way.evaluation), density, velocity, time(way.times)]);
         }
     }
     bar.finish_and_clear();
-    let titles = ["kernels", "evaluation", "density off", "velocity off, over its rms", "ms a step, min and median"];
+    let titles = ["kernels", "evaluation", "density error", "velocity error over rms speed", "ms a step, min, median"];
     Ok((figures, table(titles, lines)))
 }
 
-fn way(context: &Context, model: Formulation) -> Result<AxisSetter, Failure> {
+fn way(context: &Context, model: Formulation) -> Result<Evaluated, Failure> {
     let edge = f32::from(if context.quick { QUICK_EDGE } else { EDGE }) * SPACING;
     let water = Fluid { dynamic_viscosity: 1.0, ..Fluid::default() };
     let block = Block { size: Vec3::splat(edge), jitter: JITTER, ..Block::default() };
@@ -85,10 +88,10 @@ fn way(context: &Context, model: Formulation) -> Result<AxisSetter, Failure> {
         result?;
         times.push(ms);
     }
-    Ok(AxisSetter { evaluation: model.evaluation, particles, times: Milliseconds::of(&times) })
+    Ok(Evaluated { evaluation: model.evaluation, particles, times: Milliseconds::of(&times) })
 }
 
-/// Largest difference of a density, over itself, and of a velocity, over the rms speed.
+/// Returns the largest relative difference of a density, and the largest difference of a velocity over the rms speed.
 fn apart(direct: &[Particle], other: &[Particle]) -> [f64; 2] {
     let speed = mean(direct, |particle| f64::from(particle.velocity.length_squared())).sqrt();
     let pairs = || direct.iter().zip(other);

@@ -1,4 +1,5 @@
-//! `extremes`: scenes that nobody should ask for end in a sound state or in a refusal by name, the same on every backend.
+//! `extremes`: scenes with extreme inputs must end in a valid state, or in a named error that leaves the state
+//! unchanged. All backends must end alike.
 use super::{Context, Metric, Outcome};
 use crate::extremes::{Fault, Verdict, cases, judge};
 use crate::failure::Failure;
@@ -6,8 +7,8 @@ use crate::fluid::device_if_any;
 use crate::outcome::table;
 use crate::output::progress;
 
-/// Of the cases, those that a quick study also runs on a device, if there is one: it is by far the slowest backend, as each
-/// case is a new program for it. The tests run all of them there.
+/// A quick study runs one in this number of cases also on a GPU, if there is one. It is by far the slowest backend,
+/// since each case needs a new program there. The tests run all cases on it.
 const QUICK_DEVICE_EVERY: usize = 4;
 
 pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
@@ -25,23 +26,23 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let sum = |of: fn(&Verdict) -> usize| verdicts.iter().map(of).sum::<usize>();
     let none = |name: String, count: usize| Metric::below(name, count as f64, 0.0);
     let figures = vec![
-        none(format!("of {} cases, those that ended otherwise", cases.len()), faults(|f| matches!(f, Fault::End(_)))),
+        none(format!("of {} cases, those with a wrong end", cases.len()), faults(|f| matches!(f, Fault::End(_)))),
         none(
-            format!("of {} refused steps, those that changed the state", sum(|v| v.refusals)),
+            format!("of {} failed steps, those that changed the state", sum(|v| v.refusals)),
             faults(|f| matches!(f, Fault::Changed(_))),
         ),
         none(
-            format!("of {} comparisons of backends, those with other bits or errors", sum(|v| v.compared)),
+            format!("of {} comparisons of backends, those with different bits or errors", sum(|v| v.compared)),
             faults(|f| matches!(f, Fault::Parted(_))),
         ),
     ];
     let row = |v: &Verdict| {
         let faults: Vec<String> = v.faults.iter().map(ToString::to_string).collect();
-        [v.name.clone(), v.came.clone(), if faults.is_empty() { "as it must".into() } else { faults.join("; ") }]
+        [v.name.clone(), v.came.clone(), if faults.is_empty() { "as required".into() } else { faults.join("; ") }]
     };
-    let mut notes = vec![table(["case", "what came of it", ""], verdicts.iter().map(row))];
+    let mut notes = vec![table(["case", "outcome", "verdict"], verdicts.iter().map(row))];
     if gpu.is_none() {
-        notes.push("There is no device here: the CPU's scalar path and its lanes were compared.".into());
+        notes.push("There is no GPU here: only the scalar and the SIMD path of the CPU were compared.".into());
     }
     Ok(Outcome::new("extremes", figures, notes))
 }

@@ -1,4 +1,5 @@
-//! `hydrostatic`: the catalogue's case H1. A tank of water settles, and its pressure must be the weight of what is above.
+//! `hydrostatic`: case H1 (after Adami et al. 2012). A tank of water settles. Its pressure must then balance the weight
+//! of the water above: `p = rho0 g (H - y)`, H being the depth.
 use super::column::{Column, Miss, Profile};
 use super::flow::{checked, start_with, step, steps_to};
 use super::{Context, Metric, Outcome};
@@ -10,34 +11,35 @@ use millpond_core::scene::{DensityForm, Viscosity, WallPressure, Wind};
 
 const NAME: &str = "hydrostatic";
 
-/// m; between the catalogue's middle and finest level.
+/// Spacing, m, between the middle and the finest resolution of case H1; then that of a quick study.
 const SPACING: f32 = 0.0125;
 const QUICK_SPACING: f32 = 0.02;
 
-/// Still air that takes the waves out of the water, 1/s: the state at rest does not feel it, and the sound of letting the
-/// water go, a period of 0.4 s, is gone long before the profile is taken.
+/// Drag of still air that damps the waves in the water, 1/s. It does not change the state at rest. The sound wave that
+/// the start excites has a period of 0.4 s and is gone long before the profile is measured.
 const DRAG: f32 = 10.0;
 
-/// Artificial viscosity, for what is too small for the drag.
+/// Coefficient of artificial viscosity, which damps what is too small for the drag.
 const ALPHA: f32 = 0.1;
 
-/// When it has settled and when it ends, s.
+/// Time from which the water counts as settled, and end of the run, s.
 const SETTLED: f64 = 2.0;
 const END: f64 = 3.0;
 
 /// Steps between two samples of the mean.
 const STEPS_PER_SAMPLE: u64 = 5;
 
-/// Of the issue: 2 % of the pressure at the floor, in every layer but the two at the floor and at the surface.
+/// Required limit: 2 % of the pressure at the floor, in every layer except two at the floor and two at the surface.
 const LIMIT: f64 = 0.02;
 
-/// The same number of rows' weight where rows are thicker. The worst layer is the third one from the surface, whose kernel
-/// still reaches out of the water: it is off by 0.9 to 1.0 of the weight of one row at spacings of 0.03, 0.025, 0.02, 0.018, 0.015
-/// and 0.0125 m (2.95, 2.54, 2.21, 2.02, 1.49 and 1.27 % of the pressure at the floor), which is an error of the first order.
+/// Limit of a quick study: the weight of the same number of rows, whose rows are thicker. The worst layer is the third
+/// one from the surface, whose kernel still reaches out of the water. Its error is 0.9 to 1.0 of the weight of one row
+/// at spacings of 0.03, 0.025, 0.02, 0.018, 0.015 and 0.0125 m (2.95, 2.54, 2.21, 2.02, 1.49 and 1.27 % of the pressure
+/// at the floor), so it is of first order.
 const QUICK_LIMIT: f64 = LIMIT * (QUICK_SPACING / SPACING) as f64;
 
-/// What varies: the forms that a wall and the density can have. The first has the limit; the others are
-/// there to be compared with it, unless it has to be quick.
+/// Compared forms of wall pressure and density. The first one has the limit. The others are run for comparison, but not
+/// in a quick study.
 const FORMS: [(WallPressure, DensityForm); 4] = [
     (WallPressure::Mirrored, DensityForm::Summation),
     (WallPressure::Dynamic, DensityForm::Summation),
@@ -56,7 +58,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         let result = settle(context, &column, wall, density);
         let name = format!("{}, {}", wall.name(), density.name());
         let words = match (&result, i < LIMITED) {
-            // what has no limit may fail: that is what the note is there to say
+            // forms without a limit may fail, and the note reports the error
             (Err(Failure::Step(error)), false) => [error.to_string(), String::new()],
             (Ok((miss, sunk)), _) => {
                 let percent = |x: f64| format!("{:.2} %", x * 100.0);
@@ -68,18 +70,18 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         lines.push([name.clone(), off, sunk]);
         match result {
             Ok((miss, _)) if i < LIMITED => {
-                figures.push(Metric::below(format!("pressure off by, {name}"), miss.largest, limit));
+                figures.push(Metric::below(format!("largest pressure error, {name}"), miss.largest, limit));
             }
             Ok(_) => {}
             Err(Failure::Step(_)) if i >= LIMITED => {}
             Err(failure) => return Err(failure),
         }
     }
-    let titles = ["walls, density", "largest miss of a layer, over rho g H", "sunk, over the mean height"];
+    let titles = ["walls, density", "largest error of a layer, over rho g H", "sunk, over the mean height"];
     Ok(Outcome::new(NAME, figures, vec![table(titles, lines)]))
 }
 
-/// How far the profile is off, and how far the water sank, as a share of its mean height.
+/// Returns the errors of the profile, and by how much the water sank, as a share of its mean height.
 fn settle(
     context: &Context,
     column: &Column,

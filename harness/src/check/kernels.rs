@@ -1,4 +1,6 @@
-//! `kernels`: every kernel by quadrature, by differences, on lattices against the catalogue's table, and from tables.
+//! `kernels`: checks of every kernel. Its integral and the moment of its Laplacian are computed by quadrature, its
+//! derivatives are compared with finite differences, its sums over lattices with a reference table, and its tabulated
+//! forms with the formula.
 use super::flow::larger;
 use super::lattice::kernel_called;
 use super::reference::{entry, number, rows};
@@ -12,19 +14,20 @@ use std::f64::consts::PI;
 
 const NAME: &str = "kernels";
 
-/// Of the issue: of the integral, which is 1.
+/// Required limit of the error of the integral, which is 1; also used for the moment of the Laplacian.
 const NORMALISED: f64 = 1e-5;
 
-/// Of the catalogue: of W at no distance, whose table has eight digits.
+/// Limit of the validation catalogue for the relative error of W(0), whose table has eight digits.
 const AT_ZERO: f64 = 1e-6;
 
-/// Of the catalogue: of the largest slope, or Laplacian.
+/// Limit of the validation catalogue for derivatives, over the largest slope or Laplacian.
 const DIFFERENCES: f64 = 1e-4;
 
-/// Points of a quadrature by midpoints: the error of a kernel with a kink is their distance squared, 1e-9.
+/// Points of a midpoint quadrature. For a kernel with a kink the error is their squared distance, 1e-9.
 const POINTS: u32 = 20_000;
 
-/// Half the distance of a central difference, and how far it stays away from the ends, where some kernels have edges.
+/// Half of the width of a central difference, and its least distance from the ends of the support, where some kernels
+/// have edges. Both are in support radii.
 const STEP: f64 = 1e-5;
 const AWAY: f64 = 0.02;
 
@@ -34,7 +37,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let (mut slopes, mut laplacians, mut moments) = (0.0, 0.0, 0.0);
     for kernel in Kernel::ALL.iter().copied() {
         let off = dimensions(kernel).map(|d| (integral_of(kernel, d) - 1.0).abs()).fold(0.0, larger);
-        figures.push(Metric::below(format!("integral off 1, {}", kernel.name()), off, NORMALISED));
+        figures.push(Metric::below(format!("error of the integral, {}", kernel.name()), off, NORMALISED));
         for d in [2, 3] {
             slopes = larger(slopes, slope_error(kernel, d));
             laplacians = larger(laplacians, laplacian_error(kernel, d));
@@ -44,12 +47,12 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         let constant = |d| format!("{:.6}", kernel.normalisation(d));
         lines.push([kernel.name().into(), constant(2), constant(3), format!("{off:.1e}"), spread(2), spread(3)]);
     }
-    figures.push(Metric::below("slopes against differences, all kernels", slopes, DIFFERENCES));
-    figures.push(Metric::below("Laplacians against differences, all kernels", laplacians, DIFFERENCES));
-    figures.push(Metric::below("second moment of the Laplacian off 2 d, all kernels", moments, NORMALISED));
-    figures.push(Metric::below("W at no distance against the catalogue", at_zero()?, AT_ZERO));
+    figures.push(Metric::below("slopes against finite differences, all kernels", slopes, DIFFERENCES));
+    figures.push(Metric::below("Laplacians against finite differences, all kernels", laplacians, DIFFERENCES));
+    figures.push(Metric::below("second moment of the Laplacian against 2 d, all kernels", moments, NORMALISED));
+    figures.push(Metric::below("W(0) against the reference table", at_zero()?, AT_ZERO));
     let mut notes =
-        vec![table(["kernel", "c in 2D", "c in 3D", "integral off", "second moment of W over H^2, 2D", "3D"], lines)];
+        vec![table(["kernel", "c in 2D", "c in 3D", "integral error", "second moment of W over H^2, 2D", "3D"], lines)];
     let (more, note) = lattice::figures()?;
     figures.extend(more);
     notes.push(note);
@@ -60,19 +63,20 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     Ok(Outcome::new(NAME, figures, notes))
 }
 
-/// Those that a kernel serves: the form of the viscosity kernel is another one in each, and it has none in 1D.
+/// Returns the dimensions in which a kernel is defined. The viscosity kernel has a different form in each, and none in
+/// 1D.
 fn dimensions(kernel: Kernel) -> impl Iterator<Item = usize> {
     let least = if kernel.has_value() { 1 } else { 2 };
     least..=3
 }
 
-/// Integral from 0 to 1 by midpoints: another rule than the one by which core finds the constants.
+/// Integrates from 0 to 1 by the midpoint rule, which is not the rule by which core finds the constants.
 fn integral(f: impl Fn(f64) -> f64) -> f64 {
     let width = 1.0 / f64::from(POINTS);
     (0..POINTS).map(|i| f((f64::from(i) + 0.5) * width)).sum::<f64>() * width
 }
 
-/// Surface of the unit sphere.
+/// Returns the surface of the unit sphere in `d` dimensions.
 fn sphere(d: usize) -> f64 {
     match d {
         1 => 2.0,
@@ -81,12 +85,13 @@ fn sphere(d: usize) -> f64 {
     }
 }
 
-/// The value as it is stepped, in f32.
+/// Returns the kernel value in f32, as the solver computes it.
 fn stepped_value(kernel: Kernel, q: f64) -> f64 {
     f64::from(kernel_w::<f32>(kernel as u32, (q * q) as f32))
 }
 
-/// Integral of W over space. Of one that is infinite at no distance by its slope: `-1/d` of the integral of `r W'`.
+/// Returns the integral of W over space. For a kernel that is infinite at zero distance it is computed from the slope,
+/// as `-1/d` of the integral of `r W'`.
 fn integral_of(kernel: Kernel, d: usize) -> f64 {
     let power = |q: f64, n: usize| q.powi(n as i32);
     let whole = if kernel.has_value() {
@@ -97,14 +102,15 @@ fn integral_of(kernel: Kernel, d: usize) -> f64 {
     kernel.normalisation(d) * sphere(d) * whole
 }
 
-/// Mean square distance of W, over H^2: how far it spreads, by which kernels can be compared (Dehnen and Aly 2012).
+/// Returns the second moment of W over H^2 (H is the support radius). It measures how far a kernel spreads, by which
+/// kernels can be compared (Dehnen and Aly 2012).
 fn second_moment(kernel: Kernel, d: usize) -> f64 {
     let whole = integral(|q| stepped_value(kernel, q) * q.powi(d as i32 + 1));
     kernel.normalisation(d) * sphere(d) * whole
 }
 
-/// Integral of `r^2` times the Laplacian: 2 d, so that a Laplacian is exact on a quadratic field. What a kernel has left at
-/// the edge of its support, as the Gaussian has, belongs to it.
+/// Returns the integral of `r^2` times the Laplacian. It is 2 d if the Laplacian is exact on a quadratic field. For a
+/// kernel that does not vanish at the edge of its support, such as the Gaussian, the jump there contributes to it.
 fn laplacian_moment(kernel: Kernel, d: usize) -> f64 {
     let inside = 1.0 - 1e-12;
     let edge = if kernel.has_value() { slope(kernel, d, inside) + 2.0 * value(kernel, inside) } else { 0.0 };
@@ -112,13 +118,13 @@ fn laplacian_moment(kernel: Kernel, d: usize) -> f64 {
     kernel.normalisation(d) * sphere(d) * whole
 }
 
-/// Points of the support away from its ends.
+/// Returns points of the support away from its ends.
 fn points() -> impl Iterator<Item = f64> {
     let count = 500u32;
     (0..=count).map(move |i| AWAY + (1.0 - 2.0 * AWAY) * f64::from(i) / f64::from(count))
 }
 
-/// Largest miss of the slope against central differences of the value, over the largest slope.
+/// Returns the largest error of the slope against central differences of the value, over the largest slope.
 fn slope_error(kernel: Kernel, d: usize) -> f64 {
     if !kernel.has_value() {
         return 0.0;
@@ -127,10 +133,11 @@ fn slope_error(kernel: Kernel, d: usize) -> f64 {
     relative(points().map(|q| [slope(kernel, d, q), difference(q)]))
 }
 
-/// Largest miss of the Laplacian against central differences of the slope, `-(s' + (d - 1) s / q)`, over the largest.
+/// Returns the largest error of the Laplacian against central differences of the slope, `-(s' + (d - 1) s / q)`, over
+/// the largest Laplacian.
 fn laplacian_error(kernel: Kernel, d: usize) -> f64 {
     let difference = |q: f64| {
-        // in proportion to q: the viscosity kernel's slope is infinite at no distance
+        // in proportion to q, since the slope of the viscosity kernel is infinite at zero distance
         let step = STEP * q;
         let bend = (slope(kernel, d, q + step) - slope(kernel, d, q - step)) / (2.0 * step);
         -(bend + (d - 1) as f64 * slope(kernel, d, q) / q)
@@ -138,14 +145,14 @@ fn laplacian_error(kernel: Kernel, d: usize) -> f64 {
     relative(points().map(|q| [laplacian(kernel, d, q), difference(q)]))
 }
 
-/// Largest difference of the pairs, over their largest first number.
+/// Returns the largest difference within a pair, over the largest first number.
 fn relative(pairs: impl Iterator<Item = [f64; 2]>) -> f64 {
     let (miss, largest) =
         pairs.fold((0.0, 0.0), |(miss, largest), [a, b]| (larger(miss, (a - b).abs()), larger(largest, a.abs())));
     miss / largest
 }
 
-/// Largest relative miss of W at no distance against the catalogue's table.
+/// Returns the largest relative error of W(0) against the reference table.
 fn at_zero() -> Result<f64, Failure> {
     let mut worst = 0.0;
     for row in rows(include_str!("../../data/kernels.csv")) {

@@ -1,5 +1,5 @@
-//! Sums of kernels over lattices, against the catalogue's table: what density, gradient and Laplacian come to where the
-//! particles start.
+//! Sums of kernels over lattices against a reference table: the errors of density, gradient and Laplacian at the
+//! positions where particles start. Part of the study `kernels`.
 use super::Metric;
 use super::reference::{entry, number, rows};
 use crate::failure::Failure;
@@ -8,16 +8,17 @@ use millpond_core::backend::derive::kernel_constants::{slope, value};
 use millpond_core::scene::Kernel;
 use std::f64::consts::PI;
 
-/// Of the catalogue, beyond what rounding left in its four digits.
+/// Limit of the validation catalogue, beyond the rounding of the table's four digits.
 const LIMIT: f64 = 2e-6;
 
-/// Cells of a lattice to each side: the widest support of the table spans four.
+/// Lattice cells to each side; the widest support of the table spans four.
 const REACH: i32 = 6;
 
-/// Strain of a lattice whose answer to shear is looked at: small, and well above what rounding leaves of its square.
+/// Strain at which the response of a lattice to shear is measured. It is small, but its square is well above rounding
+/// errors.
 const STRAIN: f64 = 0.01;
 
-/// Those of the table; a particle has the volume 1.
+/// Lattices of the table. A particle has the volume 1.
 #[derive(Clone, Copy, Debug)]
 enum Lattice {
     Square,
@@ -41,7 +42,7 @@ impl Lattice {
 
     fn points(self) -> Vec<[f64; 3]> {
         let layers = if matches!(self, Lattice::Cubic) { REACH } else { 0 };
-        // sides of triangles of area 1/2
+        // side of triangles of area 1/2
         let side = (2.0 / 3f64.sqrt()).sqrt();
         let mut points = Vec::new();
         for z in -layers..=layers {
@@ -59,8 +60,9 @@ impl Lattice {
     }
 }
 
-/// Errors around a point of the lattice with this support: of `sum V W`, of `sum V (x_b - x_a) dW/dx`, and of Morris'
-/// Laplacian `sum 2 V (x_ab . grad W) / r^2 (A_a - A_b)` of `A = x^2`, which is 2, over itself.
+/// Returns the errors around a point of the lattice with this support: of `sum V W`, of `sum V (x_b - x_a) dW/dx`, and
+/// the relative error of the Laplacian of Morris et al. 1997, `sum 2 V (x_ab . grad W) / r^2 (A_a - A_b)`, for
+/// `A = x^2`, where it is 2.
 fn errors(lattice: Lattice, kernel: Kernel, support: f64) -> [f64; 3] {
     let d = lattice.dimension();
     let c = kernel.normalisation(d) / support.powi(d as i32);
@@ -81,17 +83,17 @@ fn errors(lattice: Lattice, kernel: Kernel, support: f64) -> [f64; 3] {
     sums.map(|sum| sum - 1.0)
 }
 
-/// Half a unit of the last digit of a number such as `1.234e-5`.
+/// Returns half a unit of the last digit of a number such as `1.234e-5`.
 fn rounding(word: &str) -> Result<f64, Failure> {
     let (digits, power) = word.split_once('e').unwrap_or((word, "0"));
     let places = digits.split_once('.').map_or(0, |(_, places)| places.len());
     Ok(0.5 * 10f64.powf(number(power)? - places as f64))
 }
 
-/// Figures of the three sums over the whole table, and what they are.
+/// Returns the figures of the three sums over the whole reference table, and a table of the sums.
 ///
 /// # Errors
-/// A table that cannot be read.
+/// The reference table cannot be read.
 pub(super) fn figures() -> Result<(Vec<Metric>, String), Failure> {
     let mut worst = [0.0f64; 3];
     let mut lines = Vec::new();
@@ -110,13 +112,14 @@ pub(super) fn figures() -> Result<(Vec<Metric>, String), Failure> {
     let rows = lines.len();
     let names = ["density sums", "gradient sums", "Morris' Laplacian sums"];
     let figure = |(name, worst): (&str, f64)| {
-        Metric::below(format!("{name} on lattices against the catalogue, {rows} rows"), worst, LIMIT)
+        Metric::below(format!("{name} on lattices against the reference table, {rows} rows"), worst, LIMIT)
     };
     let figures = names.into_iter().zip(worst).map(figure).collect();
-    Ok((figures, table(["lattice", "kernel", "h over spacing", "density", "gradient"], lines)))
+    Ok((figures, table(["lattice", "kernel", "h over spacing", "density error", "gradient error"], lines)))
 }
 
-/// Density sum over a square or cubic lattice that was stretched by this factor along x, and as much narrower along y.
+/// Returns the density sum over a square or cubic lattice that is stretched by this factor along x and compressed by it
+/// along y.
 fn stretched_sum(kernel: Kernel, d: usize, support: f64, stretch: f64) -> f64 {
     let lattice = if d == 3 { Lattice::Cubic } else { Lattice::Square };
     let distance = |[x, y, z]: [f64; 3]| (x * x * stretch * stretch + y * y / (stretch * stretch) + z * z).sqrt();
@@ -124,8 +127,9 @@ fn stretched_sum(kernel: Kernel, d: usize, support: f64, stretch: f64) -> f64 {
     kernel.normalisation(d) / support.powi(d as i32) * shares.map(|q| value(kernel, q)).sum::<f64>()
 }
 
-/// How a lattice under a pressure P answers to shear: the density sum gains this share of the square of the strain, and so the
-/// lattice, without a change of volume, as much energy over P. Above 0 it bears shear like a solid; below, it gives way.
+/// Returns the response to shear of a lattice under a pressure P. The density sum rises by this share of the square of
+/// the strain, and at constant volume the lattice gains as much energy over P. A lattice with a positive response
+/// resists shear like a solid. With a negative response it gives way.
 fn shear(kernel: Kernel, d: usize, neighbours: f64) -> f64 {
     let support = match d {
         2 => (neighbours / PI).sqrt(),
@@ -136,7 +140,7 @@ fn shear(kernel: Kernel, d: usize, neighbours: f64) -> f64 {
     (even / sum(1.0) - 1.0) / (STRAIN * STRAIN)
 }
 
-/// The kernels that a lattice under pressure meets in practice, by neighbours.
+/// Returns a table of the response to shear by number of neighbours, for the kernels that are used under pressure.
 pub(super) fn shear_table() -> String {
     let kernels = [Kernel::CubicSpline, Kernel::WendlandC2, Kernel::WendlandC4, Kernel::Poly6];
     let mut lines = Vec::new();
@@ -147,9 +151,9 @@ pub(super) fn shear_table() -> String {
         }
     }
     let titles = ["dimension", "neighbours", "cubic spline", "Wendland C2", "Wendland C4", "Poly6"];
-    "How a lattice answers to shear: what it gains in energy, over its pressure and the square of the strain, which is twice its \
-     modulus of shear over its pressure. Where that is negative, flow that grows from a lattice grows too fast; where it is \
-     large, too slowly.\n\n"
+    "Response of a lattice to shear: the energy that it gains, over its pressure and the square of the strain. This is \
+     twice its shear modulus over its pressure. Where it is negative, flow that grows from a lattice grows too fast. \
+     Where it is large, the flow grows too slowly.\n\n"
         .to_owned()
         + &table(titles, lines)
 }
@@ -158,7 +162,7 @@ fn number_of(x: f64) -> String {
     format!("{x:+.2e}")
 }
 
-/// The kernel that the catalogue's tables call so.
+/// Returns the kernel that has this name in the reference tables.
 pub(super) fn kernel_called(name: &str) -> Option<Kernel> {
     match name {
         "cubic spline" => Some(Kernel::CubicSpline),

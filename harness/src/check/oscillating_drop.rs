@@ -1,12 +1,14 @@
-//! `oscillating-drop`: the catalogue's case S2. A calm drop is set going in its second mode, an ellipse that now lies and now
-//! stands; its period is compared with theory.
+//! `oscillating-drop`: case S2. A calm drop is excited in its second mode, an ellipse whose long axis alternates
+//! between the two axes. Its period is compared with linear theory (`swing`).
 //!
-//! Models with a tension of their own must have the period of that tension. For those without, the tension is what the jumps
-//! of pressure at three radii say, `sigma = jump R`, and the period must be that tension's.
+//! Models whose coefficient is a surface tension must have the period of that tension. For the other models the tension
+//! is measured from the pressure jumps at three radii, `sigma = jump R`, and the period must be that of the measured
+//! tension.
 //!
-//! The theory has viscosity in it: where two like fluids slide past each other there are layers of some
-//! `delta = sqrt(2 nu / omega)`, which make the period longer by about `delta / (2 R)` of itself. That is 6 % here, and
-//! no formula for weak viscosity in a free drop has it. It also has the images of the drop in its periodic square: 2 %.
+//! The theory includes viscosity. Where two identical fluids slide past each other there are boundary layers of about
+//! `delta = sqrt(2 nu / omega)`, which make the period longer by a share of about `delta / (2 R)`. That is 6 % here,
+//! and formulas for weak viscosity in a free drop do not contain it. The theory also includes the images of the drop in
+//! its periodic square: 2 %.
 use super::drop::{Around, Calm, Droplet, SIGMA, SPACING, centre, of_drop};
 use super::flow::{checked, heap_for, larger, mean, start_with, step, steps_to};
 use super::reference::{entry, number, rows};
@@ -21,64 +23,66 @@ use std::f64::consts::PI;
 
 const NAME: &str = "oscillating-drop";
 
-/// The models with a tension of their own, and those without.
+/// Models whose coefficient is a surface tension, and models whose tension is measured.
 const MODELS: [SurfaceTension; 2] = [SurfaceTension::Curvature, SurfaceTension::NormalCurvature];
 const PAIRWISE: [SurfaceTension; 2] = [SurfaceTension::Attraction, SurfaceTension::GradientSum];
 
-/// What is around the drops of the latter. What holds them together also presses them together, flat surface or not, some
-/// fifty times as much as a tension does: in nothing the jump of pressure says little of the tension. A like fluid is pressed
-/// together as much as the drop.
+/// Surroundings of the drops of the latter models. The forces that hold these drops together also compress them, even
+/// with a flat surface, about fifty times as much as a surface tension does. In vacuum the pressure jump therefore says
+/// little about the tension. An identical fluid is compressed as much as the drop.
 const PAIRWISE_AROUND: Around = Around::Like;
 
-/// Radius in spacings.
+/// Radius of a coarse and of a fine drop, in spacings.
 const COARSE: u16 = 10;
 const FINE: u16 = 20;
 
-/// Those at which a tension is measured, all with one spacing; the last one's period is looked at. The half of a radius that
-/// is inside has to be longer than a support, which is 4.4 spacings.
+/// Radii at which a tension is measured, in spacings, all with one spacing, in a full and in a quick study. The period
+/// is measured at the last one. Half of a radius, the inside of the drop, must be longer than the support radius of
+/// 4.4 spacings.
 const RADII: &[u16] = &[10, 15, 20];
 const QUICK_RADII: &[u16] = &[10, 12];
 
-/// Kinematic viscosity while it swings, m2/s: an amplitude of the free drop falls by a tenth in a period.
+/// Kinematic viscosity during the oscillation, m2/s. The amplitude of a free drop falls by a tenth in a period.
 const VISCOSITY: f32 = 0.005;
 
-/// Of the swing, over the radius: the catalogue's.
+/// Amplitude of the oscillation over the radius, as in case S2.
 const AMPLITUDE: f64 = 0.05;
 
-/// From when on it is fitted, and how long it runs, in periods: at first the layers only form. In nothing, with half of its
-/// tension, a drop is slower.
+/// Start of the fit and end of the run, in periods; number of samples. The fit starts when the boundary layers have
+/// formed. In vacuum a drop has half of its tension and is slower.
 const FROM: f64 = 0.25;
 const END: f64 = 2.0;
 const END_IN_NOTHING: f64 = 3.5;
 const SAMPLES: u64 = 400;
 
-/// It does not run for longer than this, whatever a measured tension says, s.
+/// Longest time of a run with any measured tension, s.
 const LONGEST: f64 = 5.0;
 
-/// Of the issue: the period off, of the tension's and of the measured tension's.
+/// Required limits of the relative error of the period, for a given and for a measured tension; then the limits of a
+/// quick study.
 const LIMIT: f64 = 0.05;
 const PAIRWISE_LIMIT: f64 = 0.10;
 const QUICK_LIMIT: f64 = 0.10;
 const QUICK_PAIRWISE_LIMIT: f64 = 0.25;
 
-/// The table has six digits.
+/// Limit for the formula against the reference table, which has six digits.
 const TABLE_LIMIT: f64 = 1e-5;
 
-/// What a drop came to.
+/// Results of a drop.
 #[derive(Clone, Copy, Debug)]
 struct Run {
-    /// Its tension, given or measured, N/m.
+    /// Surface tension, given or measured, N/m.
     sigma: f64,
-    /// What it should have done.
+    /// Oscillation in theory.
     theory: Swing,
-    /// What it did.
+    /// Measured oscillation.
     found: Swing,
-    /// Share of the squares that the fit leaves.
+    /// Share of the sum of squares that the fit leaves.
     left: f64,
 }
 
 impl Run {
-    /// Miss of the period, over that of theory.
+    /// Returns the relative error of the period.
     fn off(&self) -> f64 {
         self.found.period / self.theory.period - 1.0
     }
@@ -87,12 +91,12 @@ impl Run {
 pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let quick = context.quick;
     let (radius, limit) = if quick { (COARSE, QUICK_LIMIT) } else { (FINE, LIMIT) };
-    let mut figures = vec![Metric::below("formula against the catalogue", table_error()?, TABLE_LIMIT)];
+    let mut figures = vec![Metric::below("formula against the reference table", table_error()?, TABLE_LIMIT)];
     let mut lines = Vec::new();
     for model in MODELS {
         let drop = Droplet::of_catalogue(model, Around::Like, radius);
         let run = swing_by_itself(context, &drop)?;
-        figures.push(Metric::below(format!("period off, {}", drop.title()), run.off().abs(), limit));
+        figures.push(Metric::below(format!("period error, {}", drop.title()), run.off().abs(), limit));
         lines.push(line(&drop, &Ok(run)));
     }
     let (radii, limit) = if quick { (QUICK_RADII, QUICK_PAIRWISE_LIMIT) } else { (RADII, PAIRWISE_LIMIT) };
@@ -108,7 +112,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         tensions.extend(calm.iter().map(|(drop, calm)| tension_line(drop, calm, sigma)));
         if let Some((drop, calm)) = calm.last() {
             let run = swing(context, drop, calm, sigma)?;
-            let name = format!("period off that of the measured tension, {}", drop.title());
+            let name = format!("period error against the measured tension, {}", drop.title());
             figures.push(Metric::below(name, run.off().abs(), limit));
             lines.push(line(drop, &Ok(run)));
         }
@@ -121,9 +125,9 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
             }
         }
     }
-    let titles = ["drop", "sigma, N/m", "period, s", "of theory", "off", "decay, 1/s", "of theory", "fit leaves"];
+    let titles = ["drop", "sigma, N/m", "period, s", "in theory", "error", "decay, 1/s", "in theory", "fit residual"];
     let measured = ["drop", "jump, Pa", "R, m", "sigma, N/m", "over the mean", "over the coefficient"];
-    let note = "In nothing half of a colour's profile is missing, and the tension is about half of the one asked for.";
+    let note = "In vacuum half of the colour's profile is missing, and the tension is about half of the coefficient.";
     Ok(Outcome::new(NAME, figures, vec![table(titles, lines), note.into(), table(measured, tensions)]))
 }
 
@@ -158,17 +162,17 @@ fn tension_line(drop: &Droplet, calm: &Calm, mean: f64) -> [String; 6] {
     ]
 }
 
-/// A drop with a tension of its own.
+/// Runs a drop whose coefficient is a surface tension.
 fn swing_by_itself(context: &Context, drop: &Droplet) -> Result<Run, Failure> {
     let calm = drop.calm(context, NAME)?;
     swing(context, drop, &calm, f64::from(SIGMA))
 }
 
-/// Sets a calm drop going and compares its swing with that of a tension.
+/// Excites a calm drop and compares its oscillation with the theory for a surface tension.
 fn swing(context: &Context, drop: &Droplet, calm: &Calm, sigma: f64) -> Result<Run, Failure> {
     let theory = theory(drop.around, sigma, calm, VISCOSITY);
     if !theory.period.is_finite() {
-        // pushed apart: no swing to be seen
+        // the fluids push each other apart, so there is no oscillation
         let found = Swing { period: f64::NAN, decay: f64::NAN };
         return Ok(Run { sigma, theory, found, left: f64::NAN });
     }
@@ -189,9 +193,9 @@ fn swing(context: &Context, drop: &Droplet, calm: &Calm, sigma: f64) -> Result<R
     Ok(Run { sigma, theory, found, left })
 }
 
-/// The calm drop with the velocities of its second mode where it is round: `U (x, -y) / R` inside, and outside what goes
-/// with it without a source, `U (R / r)^3 (cos 3 theta, sin 3 theta)`. At the sides of the square an eighth of U is left,
-/// which goes off as sound.
+/// Returns the calm drop with the velocities that its second mode has when the drop is round: `U (x, -y) / R` inside,
+/// and the matching flow without sources outside, `U (R / r)^3 (cos 3 theta, sin 3 theta)`. An eighth of U is left at
+/// the sides of the square, and propagates as sound.
 fn set_going(calm: &Calm, speed: f64) -> Vec<InitialParticle> {
     let going = |place: &InitialParticle| {
         let [x, y] = [0, 1].map(|axis| f64::from(place.position[axis]) - calm.centre[axis]);
@@ -207,7 +211,7 @@ fn set_going(calm: &Calm, speed: f64) -> Vec<InitialParticle> {
     calm.places.iter().map(going).collect()
 }
 
-/// Mean of `x^2 - y^2` over the drop, from its centre, m2: to the first order its amplitude times R.
+/// Returns the mean of `x^2 - y^2` over the drop, from its centre, m2. To first order it is the amplitude times R.
 fn ellipticity(solver: &Solver<'_>) -> f64 {
     let drop = of_drop(solver);
     let centre = centre(&drop);
@@ -215,7 +219,8 @@ fn ellipticity(solver: &Solver<'_>) -> f64 {
     x2 - y2
 }
 
-/// Largest miss of a period by the formula, over that of the catalogue's table, drops in the plane.
+/// Returns the largest relative error of a period by the formula, against the reference table for drops in two
+/// dimensions.
 fn table_error() -> Result<f64, Failure> {
     let mut worst = 0.0;
     for row in rows(include_str!("../../data/droplet-modes.csv")) {

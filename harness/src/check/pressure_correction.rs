@@ -1,5 +1,6 @@
-//! `pressure-correction`: Pirovano, section 3.2.2. Water at its real speed of sound, 1500 m/s, with the time step of an equation of
-//! state at 30 m/s: fifty times what that equation would need.
+//! `pressure-correction`: the pressure correction of Pirovano, section 3.2.2. A column of water at its real speed of
+//! sound, 1500 m/s, must be stable with the time step of an equation of state at 30 m/s. That step is fifty times as
+//! long as the one that an equation of state at 1500 m/s would allow.
 use super::column::{Column, Profile};
 use super::flow::{checked, start_with, step, steps_to};
 use super::{Context, Metric, Outcome};
@@ -11,33 +12,34 @@ use millpond_core::scene::{Correction, Kernel, PressureForce, PressureSolver, Wi
 
 const NAME: &str = "pressure-correction";
 
-/// m/s: of water, and of the run whose time step is taken.
+/// Speeds of sound, m/s: of water, and of the equation of state whose time step is used.
 const SPEED_OF_SOUND: f32 = 1500.0;
 const TAIT_SPEED: f64 = 30.0;
 
-/// Share of the support that the slow sound travels in a step; the real one travels 12 of them.
+/// Share of the support radius that sound at 30 m/s travels in a step; at 1500 m/s it travels 12 support radii.
 const COURANT: f64 = 0.25;
 
-/// A column half as wide as high, m.
+/// Spacing, m, in a full and in a quick study; width and depth of the column, m; gravity, m/s2.
 const SPACING: f32 = 0.025;
 const QUICK_SPACING: f32 = 0.05;
 const WIDTH: f32 = 0.5;
 const DEPTH: f32 = 0.9;
 const GRAVITY: f32 = 9.81;
 
-/// Viscosity of a thin oil, Pa s, and a drag of the air, 1/s: they end the sloshing that the start excites.
+/// Dynamic viscosity of a thin oil, Pa s, and drag of the air, 1/s. They damp the sloshing that the start excites.
 const VISCOSITY: f32 = 1.0;
 const DRAG: f32 = 5.0;
 
-/// When it has settled and when it ends, s.
+/// Time from which the water counts as settled, and end of the run, s.
 const SETTLED: f64 = 1.0;
 const END: f64 = 2.0;
 const STEPS_PER_SAMPLE: u64 = 5;
 
-/// Of the issue: density error under 1 %.
+/// Required limit: density error below 1 %.
 const LIMIT: f64 = 0.01;
 
-/// A column whose pressure does not hold it sinks through itself: 1 % of its mean height is what 1 % of density allows.
+/// Limit of the loss of mean height. A column that its pressure does not carry collapses into itself; a loss of 1 % is
+/// what 1 % of density allows.
 const SINKING: f64 = 0.01;
 
 pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
@@ -48,7 +50,8 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         gravity: GRAVITY,
         speed_of_sound: SPEED_OF_SOUND,
         courant: COURANT * f64::from(SPEED_OF_SOUND) / TAIT_SPEED,
-        // one that does not pair: an iteration that is left to choose fills a volume with pairs, which weigh less in a sum
+        // Particles do not pair with this kernel. An iteration that may do so fills a volume with pairs, which have a
+        // smaller density sum.
         kernel: (Kernel::WendlandC2, 32.0),
         jitter: 0.0,
     };
@@ -79,7 +82,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let figures = vec![
         Metric::below("mean compression", mean, LIMIT),
         Metric::below("largest compression", largest, LIMIT),
-        Metric::below("mean height lost, over itself", sunk, SINKING),
+        Metric::below("relative loss of mean height", sunk, SINKING),
         Metric::below("iterations per step", used, f64::from(iterations)),
     ];
     let travelled = f64::from(SPEED_OF_SOUND) * f64::from(scene.time_step) / f64::from(column.spacing);
@@ -87,9 +90,9 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         ["time step".into(), format!("{:.2e} s: sound travels {travelled:.0} spacings", scene.time_step)],
         ["iteration".into(), format!("{iteration:?}, {iterations} at most, to {tolerance}")],
         ["iterations per step".into(), format!("{used:.1}")],
-        ["largest density miss left".into(), format!("{:.3} %", residual * 100.0)],
-        ["pressure, largest miss of a layer".into(), format!("{:.2} % of rho g H", miss.largest * 100.0)],
-        ["pressure, rms over the layers".into(), format!("{:.2} % of rho g H", miss.rms * 100.0)],
+        ["largest density error left".into(), format!("{:.3} %", residual * 100.0)],
+        ["pressure, largest error of a layer".into(), format!("{:.2} % of rho g H", miss.largest * 100.0)],
+        ["pressure, rms error over the layers".into(), format!("{:.2} % of rho g H", miss.rms * 100.0)],
     ];
-    Ok(Outcome::new(NAME, figures, vec![table(["what", "value"], rows)]))
+    Ok(Outcome::new(NAME, figures, vec![table(["quantity", "value"], rows)]))
 }

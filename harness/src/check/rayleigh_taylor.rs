@@ -1,10 +1,11 @@
-//! `rayleigh-taylor`: the catalogue's case M2, the set-up of Grenier et al. 2009. A heavy fluid lies over a light one, and a
-//! ripple of their interface grows at a known rate while it is small. And what the instability is about: a drop of oil rises
-//! through water.
+//! `rayleigh-taylor`: case M2, the set-up of Grenier et al. 2009. A heavy fluid lies over a light one, and a ripple of
+//! their interface grows with a known rate while it is small. A second run shows buoyancy, which drives the
+//! instability: a drop of oil rises through water.
 //!
-//! The catalogue's rate is that of flow without rotation, less what viscosity costs this flow: 1.165 1/s. But two viscous
-//! fluids do not slide past each other as such a flow does. With velocities and stresses that go on across the interface
-//! the same theory gives 1.050 1/s, and with that the particles are compared; the figures for the other are in the table.
+//! The usual formula for the rate is that of irrotational flow, less the effect of viscosity on this flow: 1.165 1/s.
+//! But two viscous fluids do not slide past each other as in irrotational flow. If velocities and stresses are
+//! continuous across the interface, linear theory gives 1.050 1/s (Chandrasekhar 1961, chapter 10; see `ripple`). The
+//! particles are compared with this rate. The table also has the errors against the usual formula.
 use super::flow::{checked, fluid, grid, mean, start_with, step, steps_to};
 use super::recipes::SEVERAL_FLUIDS;
 use super::reference::{entry, number, rows};
@@ -23,41 +24,43 @@ use millpond_core::{Checked, Particle, Solver};
 
 const NAME: &str = "rayleigh-taylor";
 
-/// Of the light fluid, ten times `sqrt(2 g)`, m/s; the heavy one is as hard to compress.
+/// Speed of sound of the light fluid, m/s: ten times `sqrt(2 g)`. The heavy fluid is as hard to compress.
 const SPEED_OF_SOUND: f64 = 14.0;
 
-/// Share of the support that sound travels in a step.
+/// Share of the support radius that sound travels in a step.
 const COURANT: f64 = 0.2;
 
-/// Particles along a wave.
+/// Particles along a wavelength, fine and coarse.
 const FINE: u16 = 100;
 const COARSE: u16 = 50;
 
-/// Of the ripple at the start, m; and parts in which it is made, so that no volume is lost.
+/// Amplitude of the ripple at the start, m, and number of parts in which particles are displaced, so that volume is
+/// conserved.
 const AMPLITUDE: f64 = 0.01;
 const PARTS: u16 = 20;
 
-/// The rate is fitted from this time on, s, while the amplitude is below this share of `1 / k`. At the end it is larger.
+/// The rate is fitted from this time on, s, while the amplitude is below this share of `1 / k`. It is larger at the end
+/// of the run.
 const SETTLED: f64 = 0.1;
 const SMALL: f64 = 0.3;
 const END: f64 = 1.6;
 const STEPS_PER_SAMPLE: u64 = 5;
 
-/// Of the issue: 10 % of the rate, at 100 particles along a wave.
+/// Required limit: 10 % of the rate, with 100 particles along a wavelength.
 const LIMIT: f64 = 0.10;
 
-/// The table has six digits.
+/// Limit for the formula against the reference table, which has six digits.
 const FORMULA_LIMIT: f64 = 1e-5;
 
-/// Kernel of all sums, and particles inside its support. A lattice under a pressure P bears shear as if it had a modulus of
-/// shear: of 0.1 % of P with these; with the usual 32 and Wendland's C2 of -2 %, and the ripple then grows by that too, at 1.35 1/s
-/// (`millpond check kernels` has the table).
+/// Kernel of all sums, and number of neighbours. A lattice under a pressure P resists shear as if it had a shear
+/// modulus. With these values it is 0.1 % of P. With the usual 32 neighbours and Wendland's C2 it is -2 % of P, and the
+/// ripple then grows too fast, at 1.35 1/s (`millpond check kernels` prints the table).
 const KERNEL: Kernel = Kernel::WendlandC4;
 const NEIGHBOURS: f32 = 64.0;
 
 type Form = (DensityForm, PressureForce);
 
-/// The first one has limits.
+/// Compared forms; the first one has the limit.
 const FORMS: [Form; 5] = [
     (DensityForm::SummationAdapted, PressureForce::DensityWeighted),
     (DensityForm::ContinuityAdapted, PressureForce::DensityWeighted),
@@ -66,8 +69,8 @@ const FORMS: [Form; 5] = [
     (DensityForm::Continuity, PressureForce::Monaghan),
 ];
 
-/// Of the drop of oil: densities of water and oil, kg/m3; viscosity of both, Pa s; the closed tank, the drop's centre and
-/// radius, m.
+/// The drop of oil: densities of water and oil, kg/m3; dynamic viscosity of both, Pa s; size of the closed tank, centre
+/// and radius of the drop, m.
 const WATER: f32 = 1000.0;
 const OIL: f32 = 600.0;
 const OIL_VISCOSITY: f32 = 0.5;
@@ -75,24 +78,25 @@ const TANK: [f32; 2] = [0.6, 1.0];
 const CENTRE: [f32; 2] = [0.3, 0.3];
 const RADIUS: f32 = 0.1;
 
-/// m, a whole share of the tank; speed of sound of water, ten times `sqrt(g H)`, m/s.
+/// Spacing, m, which divides the tank evenly; speed of sound of water, m/s, ten times `sqrt(g H)`.
 const OIL_SPACING: f32 = 0.02;
 const WATER_SOUND: f32 = 10.0;
 
-/// How long it rises, s; the part at its start from which its acceleration is taken, after sound has crossed the tank.
+/// End of the run, s, and the interval near its start in which the acceleration is measured, s. Sound has then crossed
+/// the tank.
 const RISE_END: f64 = 6.0;
 const STARTING: [f64; 2] = [0.1, 0.4];
 
-/// Radii by which the centroid of the oil must have risen; there is room for six.
+/// Least rise of the oil's centroid, in radii of the drop; there is room for six.
 const RISE: f64 = 2.0;
 
 pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let mode = Mode::growing(NU);
     let across = if context.quick { COARSE } else { FINE };
     let judged = growth(context, across, FORMS[0], &mode)?;
-    let name = format!("growth rate off by, {across} along a wave, {}", FORMS[0].0.name());
+    let name = format!("error of the growth rate, {across} particles along a wave, {}", FORMS[0].0.name());
     let mut figures = vec![
-        Metric::below("formula against the table of the catalogue", formula_error()?, FORMULA_LIMIT),
+        Metric::below("formula against the reference table", formula_error()?, FORMULA_LIMIT),
         Metric::below(name, (judged / mode.rate - 1.0).abs(), LIMIT),
     ];
     let mut lines = vec![line(across, FORMS[0], &mode, &Ok(judged))];
@@ -101,16 +105,16 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
             lines.push(line(COARSE, form, &mode, &growth(context, COARSE, form, &mode)));
         }
     }
-    let titles = ["along a wave", "density, pressure force", "rate, 1/s", "off by", "off the catalogue's formula by"];
+    let titles = ["along a wave", "density, pressure force", "rate, 1/s", "error", "error against the usual formula"];
     let note = format!(
-        "Linear theory: {:.4} 1/s between viscous fluids, {:.4} 1/s by the catalogue's formula, {:.4} 1/s without \
+        "Linear theory: {:.4} 1/s between viscous fluids, {:.4} 1/s by the usual formula, {:.4} 1/s without \
          viscosity. Fitted from {SETTLED} s on, while k a < {SMALL}.",
         mode.rate,
         formula(NU),
         formula(0.0)
     );
     let (risen, words) = rise(context)?;
-    figures.push(Metric::above("height that oil rose through water, over its radius", risen, RISE));
+    figures.push(Metric::above("rise of the oil through water, over its radius", risen, RISE));
     Ok(Outcome::new(NAME, figures, vec![note, table(titles, lines), words]))
 }
 
@@ -123,7 +127,8 @@ fn line(across: u16, form: Form, mode: &Mode, rate: &Result<f64, Failure>) -> [S
     [across.to_string(), format!("{}, {}", form.0.name(), form.1.name()), words, exact, by_formula]
 }
 
-/// How far the formula is from the first two rows of the table, with viscosity and without, as a share of them.
+/// Returns the largest relative error of the formula against the first two rows of the reference table, with viscosity
+/// and without.
 fn formula_error() -> Result<f64, Failure> {
     let mut worst = 0.0f64;
     let table = rows(include_str!("../../data/rayleigh-taylor.csv"));
@@ -162,7 +167,8 @@ fn scene(across: u16, (density, pressure_force): Form) -> Scene {
     scene
 }
 
-/// The pressure that holds the weight is there from the start: no sound shakes the ripple.
+/// Returns the model. The pressure that carries the weight is there from the start, so that no sound disturbs the
+/// ripple.
 fn model((density, pressure_force): Form) -> Formulation {
     Formulation {
         density,
@@ -176,7 +182,8 @@ fn model((density, pressure_force): Form) -> Formulation {
     }
 }
 
-/// The lattice, moved by the mode and moving as it does. Masses and densities stay those of the level fluids.
+/// Returns the lattice, displaced by the mode and with the velocities of the mode. Masses and densities are those of
+/// the flat fluids.
 fn rippled(scene: &Checked<'_>, mode: &Mode) -> Vec<InitialParticle> {
     let fluid = scene.derived().fluid_particles;
     let moved = |place: InitialParticle| {
@@ -196,7 +203,7 @@ fn rippled(scene: &Checked<'_>, mode: &Mode) -> Vec<InitialParticle> {
     scene.initial_particles().enumerate().map(|(i, place)| if i < fluid { moved(place) } else { place }).collect()
 }
 
-/// Rate at which the ripple grows, 1/s.
+/// Returns the growth rate of the ripple, 1/s.
 fn growth(context: &Context, across: u16, form: Form, mode: &Mode) -> Result<f64, Failure> {
     let scene = scene(across, form);
     let scene = checked(NAME, &scene)?;
@@ -206,7 +213,7 @@ fn growth(context: &Context, across: u16, form: Form, mode: &Mode) -> Result<f64
     let title = format!("{NAME} {across} {}", form.0.name());
     step(&title, context, &mut solver, steps_to(&scene, END), STEPS_PER_SAMPLE, |solver| {
         let amplitude = amplitude(solver, usize::from(across));
-        // once it is large, it stays out: a NaN, too
+        // once the amplitude is too large, or NaN, later samples are ignored too
         small = small && amplitude * WAVE_NUMBER < SMALL;
         if small && solver.time() >= SETTLED {
             samples.push([solver.time(), amplitude.ln()]);
@@ -215,8 +222,8 @@ fn growth(context: &Context, across: u16, form: Form, mode: &Mode) -> Result<f64
     Ok(slope(&samples))
 }
 
-/// Amplitude of the ripple, m: what the two rows at the interface have of a sine, by where their particles began. The level
-/// of the rows drops out of the sum.
+/// Returns the amplitude of the ripple, m: the sine component of the two rows at the interface, over the positions at
+/// which their particles started. The mean height of the rows does not contribute.
 fn amplitude(solver: &Solver<'_>, across: usize) -> f64 {
     let rows = solver.particles().skip(across * (across - 1)).take(2 * across);
     let part = |(i, particle): (usize, Particle)| {
@@ -227,18 +234,20 @@ fn amplitude(solver: &Solver<'_>, across: usize) -> f64 {
     mean(&parts, |part| *part)
 }
 
-/// Slope of the line that fits best.
+/// Returns the slope of the line of best fit.
 fn slope(points: &[[f64; 2]]) -> f64 {
     let centre = [0, 1].map(|i| mean(points, |point| point[i]));
     let product = |i: usize, j: usize| mean(points, |point| (point[i] - centre[i]) * (point[j] - centre[j]));
     product(0, 1) / product(0, 0)
 }
 
-/// How far a drop of oil rises in water, in radii, and how its start compares with `g (r1 - r2) / (r2 + C r1)`, C = 1: a
-/// cylinder takes as much water along as it displaces.
+/// Returns how far a drop of oil rises in water, in radii, and a sentence that compares its initial acceleration with
+/// `g (r1 - r2) / (r2 + C r1)`. The added mass coefficient C is 1: a cylinder carries as much water along as it
+/// displaces.
 fn rise(context: &Context) -> Result<(f64, String), Failure> {
     let scene = oil_in_water();
-    // water everywhere, and some of it is oil: at the same pressure it is as much compressed
+    // All particles start as water, and those in the circle become oil. At equal pressure both are compressed by as
+    // much.
     let centre = CENTRE;
     let relabelled = |place: InitialParticle| {
         let [x, y, _] = place.position.to_array();
@@ -262,8 +271,8 @@ fn rise(context: &Context) -> Result<(f64, String), Failure> {
     let risen = (oil(&solver)[0] - before) / f64::from(RADIUS);
     let [heavy, light] = [WATER, OIL].map(f64::from);
     let words = format!(
-        "Oil of {light} kg/m3 in water rose by {risen:.2} radii in {RISE_END} s. It started with {:.3} m/s2, a cylinder \
-         in endless water without viscosity with {:.3} m/s2.",
+        "Oil of {light} kg/m3 in water rose by {risen:.2} radii in {RISE_END} s. Its acceleration at the start was \
+         {:.3} m/s2; that of a cylinder in unbounded water without viscosity is {:.3} m/s2.",
         slope(&speeds),
         GRAVITY * (heavy - light) / (light + heavy)
     );
@@ -287,13 +296,13 @@ fn oil_in_water() -> Scene {
     scene.gravity = Vec3::new(0.0, -GRAVITY as f32, 0.0);
     let tank = WallShape::Box { low: Vec3::ZERO, high: Vec3::new(width, height, 0.0), open: [].into_iter().collect() };
     scene.walls = [Wall::still(tank)].into_iter().collect();
-    // mirroring walls would give energy to what moves along them
+    // mirrored walls would supply energy to fluid that moves along them
     scene.model = Formulation { negative_pressure: false, wall_pressure: WallPressure::Dynamic, ..model(FORMS[0]) };
     scene.grid = grid(Dimension::Two, 32);
     scene
 }
 
-/// Mean height of the oil, m, and its mean speed upwards, m/s.
+/// Returns the mean height of the oil, m, and its mean upward velocity, m/s.
 fn oil(solver: &Solver<'_>) -> [f64; 2] {
     let mut oil = fluid(solver);
     oil.retain(|particle| particle.fluid == 1);

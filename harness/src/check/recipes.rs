@@ -1,10 +1,10 @@
-//! The formulas of the studies, every field spelled out: a study measures these, whatever the defaults become.
+//! Choices of formulas for the studies. Every field is given here, so that studies do not change when defaults do.
 use millpond_core::scene::{
     Correction, DensityForm, EquationOfState, Evaluation, Formulation, Integrator, Iteration, Kernel, NearPressure,
     PressureForce, PressureSolver, SurfaceTension, Viscosity, WallPressure,
 };
 
-/// The choices of the thesis for a single fluid.
+/// Pirovano's choices for a single fluid.
 pub(super) const PIROVANO: Formulation = Formulation {
     integrator: Integrator::ModifiedVelocityVerlet,
     reevaluate: false,
@@ -36,7 +36,8 @@ pub(super) const PIROVANO: Formulation = Formulation {
     wall_pressure: WallPressure::Mirrored,
 };
 
-/// One Wendland kernel for everything, the symmetric pressure gradient, Morris' viscosity, no near pressure.
+/// Wendland's C2 kernel for all terms, the symmetric pressure gradient of Monaghan 1992, the viscosity of Morris et al.
+/// 1997, and no near pressure.
 pub(super) const WENDLAND: Formulation = Formulation {
     density_kernel: Kernel::WendlandC2,
     pressure_kernel: Kernel::WendlandC2,
@@ -47,6 +48,7 @@ pub(super) const WENDLAND: Formulation = Formulation {
     ..PIROVANO
 };
 
-/// The same for several fluids: a density without smearing across an interface, and the force of Hu and Adams.
+/// [`WENDLAND`] for several fluids: a density that is not smeared across an interface (Solenthaler and Pajarola 2008),
+/// and the pressure force of Hu and Adams 2007.
 pub(super) const SEVERAL_FLUIDS: Formulation =
     Formulation { density: DensityForm::SummationAdapted, pressure_force: PressureForce::DensityWeighted, ..WENDLAND };

@@ -1,55 +1,55 @@
-//! References from outside: tables that others measured or computed, and series that are computed here.
+//! References from outside of the project: published tables, and series that are evaluated here.
 use crate::failure::Failure;
 use std::f64::consts::PI;
 
-/// Rows of a table: what follows its line of source and its line of titles.
+/// Returns the rows of a table, without the line of its source and the line of titles.
 pub(super) fn rows(text: &'static str) -> impl Iterator<Item = Vec<&'static str>> {
     let lines = text.lines().filter(|line| !line.starts_with('#') && !line.trim().is_empty());
     lines.skip(1).map(|line| line.split(',').map(str::trim).collect())
 }
 
-/// A table of nothing but numbers.
+/// Reads a table that contains only numbers.
 ///
 /// # Errors
-/// What is no number.
+/// An entry is not a number.
 pub(super) fn numbers(text: &'static str) -> Result<Vec<Vec<f64>>, Failure> {
     rows(text).map(|row| row.into_iter().map(number).collect()).collect()
 }
 
-/// A table of pairs of numbers.
+/// Reads a table of pairs of numbers.
 ///
 /// # Errors
-/// What is no number, or no pair.
+/// An entry is not a number, or a row is not a pair.
 pub(super) fn pairs(text: &'static str) -> Result<Vec<[f64; 2]>, Failure> {
     let pair = |row: Vec<f64>| <[f64; 2]>::try_from(row).map_err(|row| broken(&format!("{row:?}")));
     numbers(text)?.into_iter().map(pair).collect()
 }
 
-/// A number of a table.
+/// Reads a number of a table.
 ///
 /// # Errors
-/// What is no number.
+/// The text is not a number.
 pub(super) fn number(word: &str) -> Result<f64, Failure> {
     word.parse().map_err(|_| broken(word))
 }
 
-/// The entry of a row.
+/// Returns an entry of a row.
 ///
 /// # Errors
-/// A row too short.
+/// The row is too short.
 pub(super) fn entry(row: &[&'static str], column: usize) -> Result<&'static str, Failure> {
     row.get(column).copied().ok_or_else(|| broken(&row.join(",")))
 }
 
 fn broken(what: &str) -> Failure {
-    Failure::System(format!("a table of references that cannot be read, at {what}"))
+    Failure::System(format!("cannot read a reference table at {what}"))
 }
 
-/// Terms of the series: the last one is nothing from the first time on at which they are asked for.
+/// Terms of the series. The last one is negligible from the first time on at which the series are used.
 const TERMS: u32 = 60;
 
-/// Velocity in a channel of width 1 and viscosity 1, a share `y` across it, `t` after the force `1` sets in:
-/// Morris, Fox and Zhu 1997, eq. 21. Its largest, at last, is 1/8.
+/// Returns the velocity in a channel of width 1 and viscosity 1, at the share `y` of its width, at the time `t` after a
+/// body force of 1 sets in (Morris, Fox and Zhu 1997, eq. 21). Its largest value, in steady flow, is 1/8.
 pub(super) fn poiseuille(y: f64, t: f64) -> f64 {
     let term = |n: u32| {
         let k = f64::from(2 * n + 1) * PI;
@@ -58,7 +58,8 @@ pub(super) fn poiseuille(y: f64, t: f64) -> f64 {
     y * (1.0 - y) / 2.0 - (0..TERMS).map(term).sum::<f64>()
 }
 
-/// The same, after the side `y = 1` begins to move with velocity 1: their eq. 22.
+/// Returns the velocity in a channel of width 1 and viscosity 1 after the side `y = 1` starts to move with velocity 1
+/// (Morris, Fox and Zhu 1997, eq. 22).
 pub(super) fn couette(y: f64, t: f64) -> f64 {
     let term = |n: u32| {
         let k = f64::from(n) * PI;
@@ -68,7 +69,8 @@ pub(super) fn couette(y: f64, t: f64) -> f64 {
     y + (1..=TERMS).map(term).sum::<f64>()
 }
 
-/// Value at `x` of a curve through `points`, which ascend in x; its ends go on as they are.
+/// Returns the value at `x` of a piecewise linear curve through `points`, which ascend in x. It is constant beyond its
+/// ends.
 pub(super) fn along(points: &[[f64; 2]], x: f64) -> f64 {
     let after = points.partition_point(|point| point[0] < x);
     match (after.checked_sub(1).and_then(|i| points.get(i)), points.get(after)) {

@@ -1,16 +1,17 @@
-//! Linear theory of a ripple on the interface of a heavy fluid over a light one.
+//! Linear theory of a ripple on the interface of a heavy fluid over a light one (Rayleigh-Taylor instability).
 use std::f64::consts::PI;
 
-/// Rest densities below and above, kg/m3; kinematic viscosity of both, m2/s; m/s2.
+/// Rest densities below and above, kg/m3; kinematic viscosity of both fluids, m2/s; gravity, m/s2.
 pub(super) const DENSITIES: [f64; 2] = [1000.0, 1800.0];
 pub(super) const NU: f64 = 1.0 / 210.0;
 pub(super) const GRAVITY: f64 = 1.0;
 
-/// Depth of each fluid, m. The domain is as wide as a wave is long: one metre.
+/// Depth of each fluid, m, and wave number, 1/m. The domain is one wavelength wide, which is 1 m.
 pub(super) const DEPTH: f64 = 1.0;
 pub(super) const WAVE_NUMBER: f64 = 2.0 * PI;
 
-/// The catalogue's rate, 1/s: `sqrt(gamma^2 + nu^2 k^4) - nu k^2`, with `gamma^2 = A g k tanh(k h)` and Atwood's number A.
+/// Returns the growth rate by the usual formula, 1/s: `sqrt(gamma^2 + nu^2 k^4) - nu k^2`, with
+/// `gamma^2 = A g k tanh(k h)` and the Atwood number A.
 pub(super) fn formula(nu: f64) -> f64 {
     let [below, above] = DENSITIES;
     let atwood = (above - below) / (above + below);
@@ -19,21 +20,22 @@ pub(super) fn formula(nu: f64) -> f64 {
     (square + lost * lost).sqrt() - lost
 }
 
-/// A ripple on the interface of two deep fluids of one kinematic viscosity (Chandrasekhar 1961, chapter 10). At a distance d
-/// from the interface it moves up by `(a e^(-k d) + b e^(-q d)) sin(k x)`: a part without rotation, and the rotation that
-/// spreads from the interface by viscosity while the ripple grows, `q^2 = k^2 + n / nu`.
+/// A ripple on the interface of two deep fluids with the same kinematic viscosity (Chandrasekhar 1961, chapter 10). At
+/// a distance d from the interface the upward displacement is `(a e^(-k d) + b e^(-q d)) sin(k x)`. The first part is
+/// irrotational. The second part is the vorticity that viscosity spreads from the interface while the ripple grows,
+/// with `q^2 = k^2 + n / nu`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mode {
-    /// n, 1/s.
+    /// Growth rate n, 1/s.
     pub(super) rate: f64,
-    /// q, 1/m.
+    /// Decay q of the rotational part, 1/m.
     decay: f64,
-    /// a and b, below and above.
+    /// Amplitudes a and b, below and above.
     parts: [[f64; 2]; 2],
 }
 
 impl Mode {
-    /// The mode that grows: the root of [`Mode::stress`], which falls as the rate rises.
+    /// Returns the growing mode: the root of [`Mode::stress`], which falls as the rate rises.
     pub(super) fn growing(nu: f64) -> Mode {
         let (mut slow, mut fast) = (0.001 * formula(0.0), 1.001 * formula(0.0));
         for _ in 0..60 {
@@ -47,17 +49,18 @@ impl Mode {
         Mode::of_rate(slow, nu)
     }
 
-    /// What would grow at this rate: its velocities and its shear stress go on across the interface.
+    /// Returns the motion with this rate whose velocities and shear stress are continuous across the interface.
     fn of_rate(rate: f64, nu: f64) -> Mode {
         let (k, [below, above]) = (WAVE_NUMBER, DENSITIES);
         let decay = (k * k + rate / nu).sqrt();
-        // a + b = 1 on both sides; the velocity along x fixes the sum of both b, the stress their difference
+        // a + b = 1 on both sides; the velocity along x gives the sum of both b, and the stress gives their difference
         let sum = -2.0 * k / (decay - k);
         let b = (below * sum - 2.0 * k * k * nu * (above - below) / rate) / (above + below);
         Mode { rate, decay, parts: [sum - b, b].map(|b| [1.0 - b, b]) }
     }
 
-    /// Normal stress that is left over at the interface, over the amplitude of the velocity there: none, of a mode.
+    /// Returns the difference of normal stress across the interface, over the amplitude of the velocity there. A mode
+    /// has none.
     fn stress(&self, nu: f64) -> f64 {
         let (k, [below, above], [[a_below, b_below], [a_above, _]]) = (WAVE_NUMBER, DENSITIES, self.parts);
         let weight = (above - below) * GRAVITY / self.rate;
@@ -66,11 +69,12 @@ impl Mode {
         weight - inertia + viscous
     }
 
-    /// Displacement at a place in the fluid below (0) or above (1), for a ripple of amplitude 1; no volume changes.
+    /// Returns the displacement at a position in the fluid below (0) or above (1), for a ripple of amplitude 1. It
+    /// conserves volume.
     pub(super) fn displacement(&self, [x, y]: [f64; 2], fluid: usize) -> [f64; 2] {
         let (k, [a, b]) = (WAVE_NUMBER, self.parts[fluid]);
         let up = if fluid == 1 { 1.0 } else { -1.0 };
-        // a particle that has moved beyond the level interface is still in its own fluid
+        // a particle that has moved beyond the flat interface still belongs to its own fluid
         let d = up * (y - DEPTH);
         let (even, rotating) = (a * (-k * d).exp(), b * (-self.decay * d).exp());
         let slope = -up * (k * even + self.decay * rotating);

@@ -1,4 +1,5 @@
-//! `still-tank`: the catalogue's case H2. A tank that starts at rest, in the density that its weight asks for, stays so.
+//! `still-tank`: case H2. A tank of water starts at rest, with the density that its weight requires, and must stay at
+//! rest.
 use super::column::Column;
 use super::flow::{checked, rms_speed, start_with, step, steps_to};
 use super::{Context, Metric, Outcome};
@@ -9,48 +10,49 @@ use millpond_core::scene::{DensityForm, Kernel, Viscosity};
 
 const NAME: &str = "still-tank";
 
-/// m: whole shares of the tank's width and of the water's depth.
+/// Spacing, m, in a full and in a quick study. It divides the width of the tank and the depth of the water.
 const SPACING: f32 = 0.02;
 const QUICK_SPACING: f32 = 0.025;
 
-/// Artificial viscosity; with the support radius in place of Monaghan's h it is twice his 0.1. It ends the trembling of
-/// single rows; the slow sound of the whole column it leaves alone.
+/// Coefficient of artificial viscosity. It is used with the support radius instead of Monaghan's h, so it is twice his
+/// 0.1. It damps the jitter of single rows, but not the slow sound wave of the whole column.
 const ALPHA: f32 = 0.1;
 
-/// s, and the part at its end over which the largest speed counts: the sound of the column has a period of 0.4 s, and a
-/// single state might show it just turning round.
+/// End of the run, s, and the part at its end over which the largest speed counts, s. The sound wave of the column has
+/// a period of 0.4 s, and a single state could be one in which the wave reverses.
 const END: f64 = 5.0;
 const WINDOW: f64 = 0.5;
 const STEPS_PER_SAMPLE: u64 = 10;
 
-/// Of the issue: 1 % of the speed of a long wave, `sqrt(g H)`.
+/// Required limit: 1 % of the speed of a long wave, `sqrt(g H)` (H is the depth).
 const LIMIT: f64 = 0.01;
 
-/// Its square for the coarser spacing. What moves are single rows that fall into place, as fast as a fall through a share of a
-/// row: by `sqrt(g dx)`, an error of order 1/2. The speed is 5.7, 5.6, 5.6, 5.7, 5.8, 5.7 and 5.4 % of that at spacings of 0.05,
-/// 0.045, 0.04, 0.036, 0.03, 0.025 and 0.02 m (1.33, 1.25, 1.17, 1.14, 1.07, 0.95 and 0.80 % of the wave's), and the limit is 6.7 %
-/// of it.
+/// Square of the limit for the coarser spacing. The motion consists of single rows that settle, as fast as by a fall
+/// through a share of a row. It is proportional to `sqrt(g dx)`, an error of order 1/2. The speed is 5.7, 5.6, 5.6,
+/// 5.7, 5.8, 5.7 and 5.4 % of `sqrt(g dx)` at spacings of 0.05, 0.045, 0.04, 0.036, 0.03, 0.025 and 0.02 m (1.33, 1.25,
+/// 1.17, 1.14, 1.07, 0.95 and 0.80 % of the wave's speed), and the limit is 6.7 % of it.
 const QUICK_LIMIT_SQUARED: f64 = LIMIT * LIMIT * (QUICK_SPACING / SPACING) as f64;
 
-/// By how much the water may sink or rise, over what its weight compresses it by. A pressure that does not answer to the weight
-/// as it must is off by about as much of itself.
+/// Limit of the change of mean height, over the compression by the weight. If the pressure does not respond to the
+/// weight correctly, it has a relative error of about as much.
 const SINKING: f64 = 0.05;
 
-/// The first one has limits; a quick study has no other.
+/// Compared density forms. The first one has the limits, and a quick study runs only that one.
 const FORMS: [DensityForm; 2] = [DensityForm::Continuity, DensityForm::Summation];
 
-/// What a run came to.
+/// Results of a run.
 struct Rest {
-    /// Largest rms speed of the window, over that of a wave.
+    /// Largest rms speed at the end of the run, over the speed of a long wave.
     speed: f64,
-    /// Particles that are not in the tank any more.
+    /// Particles that are no longer in the tank.
     lost: usize,
-    /// How far the water sank, in spacings.
+    /// Loss of mean height, in spacings.
     sunk: f64,
 }
 
 pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
-    // an even start and a kernel that does not pair: what moves is what the walls and the surface do
+    // The start is regular, and particles do not pair with this kernel: all motion is caused by the walls and the
+    // surface.
     let kernel = (Kernel::WendlandC2, 32.0);
     let (spacing, limit, forms) =
         if context.quick { (QUICK_SPACING, QUICK_LIMIT_SQUARED.sqrt(), 1) } else { (SPACING, LIMIT, FORMS.len()) };
@@ -63,7 +65,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
                 if i == 0 {
                     figures.push(Metric::below("rms speed over sqrt(g H)", speed, limit));
                     let moved = sunk * f64::from(column.spacing) / column.compression();
-                    figures.push(Metric::below("mean height moved, over its compression", moved.abs(), SINKING));
+                    figures.push(Metric::below("change of mean height, over compression", moved.abs(), SINKING));
                     figures.push(Metric::below("particles lost", lost as f64, 0.0));
                 }
                 let speed = format!("{:.3} %", speed * 100.0);
@@ -75,7 +77,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
             Err(failure) => return Err(failure),
         }
     }
-    let titles = ["density", "rms speed over sqrt(g H)", "lost", "mean height sunk, spacings"];
+    let titles = ["density", "rms speed over sqrt(g H)", "lost", "loss of mean height, spacings"];
     Ok(Outcome::new(NAME, figures, vec![table(titles, lines)]))
 }
 

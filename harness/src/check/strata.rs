@@ -1,58 +1,60 @@
-//! Two fluids at rest, the lighter one over the other, row by row of the lattice that they began on.
+//! Two fluids at rest, the lighter one over the heavier one, evaluated by the rows of the lattice on which the
+//! particles started. Used by the study `two-fluids`.
 use super::Metric;
 use super::flow::{fluid, larger, mean};
 use millpond_core::scene::Scene;
 use millpond_core::{Particle, Solver};
 
-/// Of the catalogue's case H1, m/s2; of the heavy fluid, kg/m3.
+/// Gravity, as in case H1, m/s2, and rest density of the heavy fluid, kg/m3.
 pub(super) const GRAVITY: f32 = 1.0;
 pub(super) const HEAVY: f32 = 1000.0;
 
-/// Rows at the floor and at the lid whose pressure does not count: some of their neighbours are walls.
+/// Rows at the floor and at the lid whose pressure is excluded: some of their neighbours are wall particles.
 pub(super) const MARGIN: usize = 2;
 
-/// Rows on either side of the interface that are looked at one by one.
+/// Rows on either side of the interface that are evaluated one by one.
 pub(super) const NEAR: usize = 4;
 
-/// Of the catalogue: rms speed over `sqrt(g H)`.
+/// Limit of case M1: rms speed over `sqrt(g H)`, H being the height of the box.
 pub(super) const SPEED_LIMIT: f64 = 0.01;
 
-/// Of the pressure at the floor, for each row and for the step at the interface.
+/// Limit of the pressure error of a row, and of the pressure step at the interface, over the pressure at the floor.
 pub(super) const PRESSURE_LIMIT: f64 = 0.05;
 
-/// The distance of the two rows at the interface, off a spacing by.
+/// Limit of the difference between the distance of the two rows at the interface and a spacing, over a spacing.
 pub(super) const GAP_LIMIT: f64 = 0.1;
 
-/// Density over the fluid's own rest density, off 1 by: the weight makes half a per cent.
+/// Limit of the relative error of a density against the fluid's own rest density. The weight alone causes 0.5 %.
 pub(super) const DENSITY_LIMIT: f64 = 0.02;
 
-/// Means over the particles of one row of the lattice, and over time.
+/// Means over the particles of a row of the lattice, and over time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Row {
-    /// m.
+    /// Height, m.
     pub(super) height: f64,
-    /// Pa.
+    /// Pressure, Pa.
     pub(super) pressure: f64,
-    /// Over the fluid's own rest density.
+    /// Density over the fluid's own rest density.
     pub(super) density: f64,
 }
 
-/// What a run came to.
+/// Results of a run.
 #[derive(Clone, Debug)]
 pub(super) struct Rest {
     pub(super) ratio: f64,
     pub(super) side: f64,
     pub(super) seconds: f64,
     pub(super) steps: u64,
-    /// Particles beyond the interface by more than a spacing, or out of the box.
+    /// Particles that are more than a spacing beyond the interface, or outside of the box.
     pub(super) mixed: usize,
     /// Largest rms speed, over `sqrt(g H)`.
     pub(super) speed: f64,
-    /// From floor to lid.
+    /// Rows from floor to lid.
     pub(super) rows: Vec<Row>,
 }
 
-/// The rows that the particles began in, from floor to lid: the ids of a block run along x, and the lower block is first.
+/// Returns the rows in which the particles started, from floor to lid. The ids of a block run along x, and the lower
+/// block is first.
 pub(super) fn rows(solver: &Solver<'_>, scene: &Scene, side: u16) -> Vec<Row> {
     let row = |particles: &[Particle]| Row {
         height: mean(particles, |p| f64::from(p.position.y)),
@@ -62,7 +64,7 @@ pub(super) fn rows(solver: &Solver<'_>, scene: &Scene, side: u16) -> Vec<Row> {
     fluid(solver).chunks(usize::from(side)).map(row).collect()
 }
 
-/// Means over time.
+/// Returns the means of the rows over time.
 pub(super) fn averaged(samples: &[Vec<Row>]) -> Vec<Row> {
     let row = |i: usize| Row {
         height: mean(samples, |rows| rows[i].height),
@@ -81,26 +83,27 @@ pub(super) fn mixed(solver: &Solver<'_>, side: u16) -> usize {
     fluid(solver).iter().filter(|p| !at_home(p)).count()
 }
 
-/// The rows about the interface, half of them below it; all of what has fewer.
+/// Returns the rows near the interface, half of them below it, or all rows if there are fewer.
 pub(super) fn near(rows: &[Row]) -> &[Row] {
     let first = (rows.len() / 2).saturating_sub(NEAR);
     rows.get(first..first + 2 * NEAR).unwrap_or(rows)
 }
 
 impl Rest {
-    /// Pressure of a row less `p = g int rho dy` from the lid down, over that at the floor.
+    /// Returns the error of a row's pressure against `p = g int rho dy`, the integral from the lid downwards, over the
+    /// pressure at the floor.
     pub(super) fn miss(&self, row: &Row) -> f64 {
         let exact = |y: f64| (0.5 - y).max(0.0) + (1.0 - y).min(0.5) / self.ratio;
         (row.pressure / f64::from(HEAVY * GRAVITY) - exact(row.height)) / exact(0.0)
     }
 
-    /// Rows whose pressure counts.
+    /// Returns the rows whose pressure counts.
     pub(super) fn inner(&self) -> &[Row] {
         self.rows.get(MARGIN..self.rows.len().saturating_sub(MARGIN)).unwrap_or(&[])
     }
 
-    /// By how much all of the pressure is off, over that at the floor: a closed box may hold its fluids at any level, and
-    /// half a row more or less between its walls is one.
+    /// Returns the mean pressure error, over the pressure at the floor. A closed box may hold its fluids at any level
+    /// of pressure. Half a row more or less between its walls makes such a difference.
     pub(super) fn level(&self) -> f64 {
         mean(self.inner(), |row| self.miss(row))
     }
@@ -110,19 +113,20 @@ impl Rest {
     }
 
     pub(super) fn largest_miss(&self) -> f64 {
-        // no rows at all are no good rows
+        // without rows the error must not pass as zero
         let least = if self.inner().is_empty() { f64::NAN } else { 0.0 };
         self.inner().iter().map(|row| (self.miss(row) - self.level()).abs()).fold(least, larger)
     }
 
-    /// What the nearest rows above miss more than those below: a step that the pressure makes at the interface.
+    /// Returns the mean error of the nearest rows above the interface, less that of the nearest rows below: a step of
+    /// the pressure at the interface.
     pub(super) fn jump(&self) -> f64 {
         let near = near(&self.rows);
         let (below, above) = near.split_at(near.len() / 2);
         mean(above, |row| self.miss(row)) - mean(below, |row| self.miss(row))
     }
 
-    /// From the highest heavy row to the lowest light one, spacings.
+    /// Returns the distance from the highest heavy row to the lowest light row, in spacings.
     pub(super) fn gap(&self) -> f64 {
         let (heavy, light) = self.rows.split_at(self.rows.len() / 2);
         match (heavy.last(), light.first()) {
@@ -131,7 +135,7 @@ impl Rest {
         }
     }
 
-    /// Largest miss of a density about the interface, over the fluid's own.
+    /// Returns the largest relative error of a density near the interface, against the fluid's own rest density.
     pub(super) fn density_miss(&self) -> f64 {
         let near = near(&self.rows);
         let least = if near.is_empty() { f64::NAN } else { 0.0 };
@@ -144,13 +148,13 @@ impl Rest {
             Metric::below(name("particles beyond the interface"), self.mixed as f64, 0.0),
             Metric::below(name("rms speed over sqrt(g H)"), self.speed, SPEED_LIMIT),
             Metric::below(
-                name("pressure of a row off by, over that at the floor"),
+                name("largest pressure error of a row, over that at the floor"),
                 self.largest_miss(),
                 PRESSURE_LIMIT,
             ),
-            Metric::below(name("step of the pressure at the interface"), self.jump().abs(), PRESSURE_LIMIT),
-            Metric::below(name("gap at the interface, off a spacing by"), (self.gap() - 1.0).abs(), GAP_LIMIT),
-            Metric::below(name("density about it over its own, off 1 by"), self.density_miss(), DENSITY_LIMIT),
+            Metric::below(name("pressure step at the interface"), self.jump().abs(), PRESSURE_LIMIT),
+            Metric::below(name("error of the gap at the interface, in spacings"), (self.gap() - 1.0).abs(), GAP_LIMIT),
+            Metric::below(name("largest density error near the interface"), self.density_miss(), DENSITY_LIMIT),
         ]
     }
 }
@@ -159,7 +163,7 @@ impl Rest {
 mod tests {
     use super::*;
 
-    /// A run that came out as it should, of a fluid ten times as heavy.
+    /// A run without errors, with a density ratio of 10.
     fn perfect() -> Rest {
         let row = |i: u16| {
             let height = (f64::from(i) + 0.5) / 20.0;

@@ -1,36 +1,40 @@
-//! How a drop should swing, and the damped swing that fits what one did.
+//! Theory of an oscillating drop, and the fit of a damped oscillation to samples.
 use super::drop::{Around, Calm, REST_DENSITY, SIDE};
 use std::f64::consts::PI;
 
-/// Values looked at on either side of the best one so far, in each round of a search; the next one looks at a third of it.
+/// Values on either side of the best one that a round of the search tries, and number of rounds. Each round searches a
+/// third of the range of the round before.
 const GRID: i32 = 10;
 const ROUNDS: u32 = 10;
 
-/// Iterations of the frequency with layers, of which each mends all but a tenth.
+/// Iterations for the frequency with boundary layers. Each one reduces the error to a tenth.
 const ITERATIONS: u32 = 12;
 
-/// A damped swing.
+/// A damped oscillation.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Swing {
-    /// s.
+    /// Period, s.
     pub(super) period: f64,
-    /// Of the amplitude, 1/s.
+    /// Decay rate of the amplitude, 1/s.
     pub(super) decay: f64,
 }
 
-/// `omega^2 = n (n^2 - 1) sigma / ((rho_in + rho_out) R^3)`: the plane's form of Rayleigh 1879 and Lamb 1932, art. 275.
+/// Returns the angular frequency of mode n without viscosity, 1/s, from
+/// `omega^2 = n (n^2 - 1) sigma / ((rho_in + rho_out) R^3)`, which is the two-dimensional form of Rayleigh 1879 and
+/// Lamb 1932, art. 275.
 pub(super) fn natural(n: f64, sigma: f64, densities: f64, radius: f64) -> f64 {
     (n * (n * n - 1.0) * sigma / (densities * radius.powi(3))).sqrt()
 }
 
-/// How a drop swings with this kinematic viscosity, m2/s; a period that is no number where the tension is no tension.
+/// Returns the oscillation of a drop with this kinematic viscosity, m2/s. The period is not finite if the tension is
+/// not positive.
 pub(super) fn theory(around: Around, sigma: f64, calm: &Calm, viscosity: f32) -> Swing {
     let (radius, density) = (calm.radius, calm.density);
-    // viscosity as the scene has it, Pa s, over the density of the packing
+    // dynamic viscosity of the scene, Pa s, over the density of the packing
     let nu = f64::from(viscosity) * f64::from(REST_DENSITY) / density;
     let [decay, omega] = match around {
         Around::Nothing => {
-            // 2 n (n - 1) nu / R^2 (the catalogue's, of weak viscosity)
+            // 2 n (n - 1) nu / R^2, for weak viscosity (case S2)
             let (decay, omega) = (4.0 * nu / radius.powi(2), natural(2.0, sigma, density, radius));
             [decay, (omega.powi(2) - decay.powi(2)).sqrt()]
         }
@@ -39,20 +43,23 @@ pub(super) fn theory(around: Around, sigma: f64, calm: &Calm, viscosity: f32) ->
     Swing { period: 2.0 * PI / omega, decay }
 }
 
-/// Density of the fluid outside as the second mode feels it with all images of the drop around, over that without any.
+/// Returns the density of the fluid outside that acts on the second mode with all periodic images of the drop, over
+/// that without images.
 ///
-/// Outside the complex potential is Weierstrass' function of the square, `1 / z^2 + 3 G z^2` near the drop, with
-/// `G = 3.1512 / L^4`, the sum of `w^-4` over its images: `(1 + e) / (1 - e)`, where `e = 3 G R^4`.
+/// Outside of the drop the complex potential is the Weierstrass function of the square, `1 / z^2 + 3 G z^2` near the
+/// drop, with `G = 3.1512 / L^4`, the sum of `w^-4` over the images. The ratio is `(1 + e) / (1 - e)`, where
+/// `e = 3 G R^4`.
 fn images() -> f64 {
     let share = 3.0 * 3.151_212 / f64::from(SIDE).powi(4);
     (1.0 + share) / (1.0 - share)
 }
 
-/// Decay and frequency of the second mode between two fluids that are alike, 1/s.
+/// Returns the decay rate and the angular frequency of the second mode between two identical fluids, 1/s.
 ///
-/// One fluid then, driven by a tension along a line. From the linear equations of Stokes with a force on the circle, modes
-/// `e^(s t)` follow by Green's functions of `laplacian` and `laplacian - s / nu`:
-/// `s^2 = -omega^2 (1 - 2 n I_n(z) K_n(z))`, `z^2 = s R^2 / nu`, the modified Bessel functions standing for the layers.
+/// The two are one fluid, driven by a tension along a line. The linear Stokes equations with a force on the circle have
+/// modes `e^(s t)`. By the Green's functions of `laplacian` and `laplacian - s / nu`, they satisfy
+/// `s^2 = -omega^2 (1 - 2 n I_n(z) K_n(z))`, `z^2 = s R^2 / nu`. The modified Bessel functions represent the boundary
+/// layers.
 fn between_like_fluids(omega: f64, nu: f64, radius: f64) -> [f64; 2] {
     let mut s = [0.0, omega];
     for _ in 0..ITERATIONS {
@@ -63,7 +70,7 @@ fn between_like_fluids(omega: f64, nu: f64, radius: f64) -> [f64; 2] {
     [-s[0], s[1]]
 }
 
-/// `I_2(z) K_2(z)` of a `z^2` far from nothing (Abramowitz and Stegun 9.7.5): with `u = 1 / (2 z)^2`,
+/// Returns `I_2(z) K_2(z)` for a `z^2` far from zero (Abramowitz and Stegun 1964, 9.7.5): with `u = 1 / (2 z)^2`, it is
 /// `(1 - 15 u / 2 + 315 u^2 / 8 + 4725 u^3 / 16) / (2 z)`.
 fn bessel_product(z2: [f64; 2]) -> [f64; 2] {
     let u = inverse(z2.map(|part| 4.0 * part));
@@ -75,25 +82,26 @@ fn bessel_product(z2: [f64; 2]) -> [f64; 2] {
     times(series, root(u))
 }
 
-/// Product of two complex numbers.
+/// Returns the product of two complex numbers.
 fn times([a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
     [a * c - b * d, a * d + b * c]
 }
 
-/// One over a complex number.
+/// Returns the inverse of a complex number.
 fn inverse([a, b]: [f64; 2]) -> [f64; 2] {
     let square = a * a + b * b;
     [a / square, -b / square]
 }
 
-/// The root of a complex number, the one that is not to the left.
+/// Returns the square root of a complex number, the one whose real part is not negative.
 fn root([a, b]: [f64; 2]) -> [f64; 2] {
     let length = a.hypot(b);
     [f64::midpoint(length, a).max(0.0).sqrt(), f64::midpoint(length, -a).max(0.0).sqrt().copysign(b)]
 }
 
-/// The damped swing about some mean that fits samples of time and value best, near a frequency, and what share of their
-/// squares it leaves. Frequency and decay are looked for on a grid that shrinks about its best point.
+/// Returns the damped oscillation about some mean that fits samples of time and value best, near a frequency, and the
+/// share of the sum of squares that it leaves. Frequency and decay are searched on a grid that shrinks around its best
+/// point.
 pub(super) fn fit(samples: &[[f64; 2]], guess: f64) -> (Swing, f64) {
     let (mut best, mut left) = ([guess, 0.2 * guess], f64::INFINITY);
     let mut reach = [0.6 * guess, 0.3 * guess];
@@ -111,12 +119,13 @@ pub(super) fn fit(samples: &[[f64; 2]], guess: f64) -> (Swing, f64) {
         }
         reach = reach.map(|reach| reach / 3.0);
     }
-    // where nothing fits nothing is found
+    // if nothing fits, the result is NaN
     let found = if left.is_finite() { best } else { [f64::NAN; 2] };
     (Swing { period: 2.0 * PI / found[0], decay: found[1] }, left)
 }
 
-/// Share of the squares that is left by the best `e^(-decay t) (a cos omega t + b sin omega t) + c`, by Cramer's rule.
+/// Returns the share of the sum of squares that is left by the best `e^(-decay t) (a cos omega t + b sin omega t) + c`,
+/// by Cramer's rule.
 fn leaves(samples: &[[f64; 2]], omega: f64, decay: f64) -> f64 {
     let (mut products, mut targets, mut squares) = ([[0.0; 3]; 3], [0.0; 3], 0.0);
     for [time, value] in samples {
@@ -158,7 +167,7 @@ mod tests {
 
     #[test]
     fn layers_slow_a_drop_down_as_much_as_they_damp_it() {
-        // thin ones: each by omega delta / (2 R)
+        // thin layers: the decay and the loss of frequency are omega delta / (2 R) each
         let (omega, nu, radius) = (20.0, 1e-6f64, 0.2);
         let share = (2.0 * nu / omega).sqrt() / (2.0 * radius);
         let [decay, slower] = between_like_fluids(omega, nu, radius);

@@ -1,10 +1,10 @@
-//! `taylor-green`: the catalogue's case V2. Vortices in a periodic square at Re = 100 decay at a known rate, and whatever
-//! disorder of the particles costs energy makes them decay faster.
+//! `taylor-green`: case V2. Vortices in a periodic square at Re = 100 decay with a rate that is known exactly. Any
+//! disorder of the particles that costs energy makes them decay faster.
 //!
-//! A lattice follows the stagnation lines of this flow, holds its order against the shear, and breaks: that is where plain
-//! SPH loses most. What helps (tried: see the notes that the study prints) is a support wide enough for the particles to
-//! matter little one by one, and a packing a little denser than at rest: without pressure at large, some of it would be
-//! negative, and particles clump.
+//! A lattice follows the stagnation lines of this flow, keeps its order against the shear, and then breaks. Plain SPH
+//! loses most energy there. Two things help (the notes of the study show what was tried). One is a support so wide that
+//! single particles matter little. The other is a packing slightly denser than at rest: without this background
+//! pressure some pressures would be negative, and particles clump.
 use super::flow::{checked, fluid, grid, heap_for, mean, start_with, step, steps_to};
 use super::recipes::WENDLAND;
 use super::{Context, Metric, Outcome};
@@ -20,56 +20,57 @@ use std::f64::consts::PI;
 
 const NAME: &str = "taylor-green";
 
-/// kg/m3, Pa s: nu = U L / Re = 0.01 m2/s, with U = 1 m/s and L = 1 m.
+/// Rest density, kg/m3, dynamic viscosity, Pa s, and kinematic viscosity: nu = U L / Re = 0.01 m2/s, with U = 1 m/s and
+/// L = 1 m.
 const REST_DENSITY: f32 = 1000.0;
 const VISCOSITY: f32 = 10.0;
 const NU: f64 = 0.01;
 
-/// m/s: ten times the fastest flow.
+/// Speed of sound, m/s: ten times the fastest flow.
 const SPEED_OF_SOUND: f32 = 10.0;
 
-/// Particles along a side.
+/// Particles along a side, in a full and in a quick study.
 const SIDE: u16 = 100;
 const QUICK_SIDE: u16 = 50;
 
-/// Spacing of the scene over that of the particles: they are packed 3 % denser than at rest.
+/// Spacing of the scene over that of the particles, which are packed 3 % denser than at rest.
 const LOOSER: f32 = 1.015;
 
-/// A support of six particle distances.
+/// Number of neighbours, for a support radius of six particle spacings.
 const AVERAGE_NEIGHBOURS: f32 = 110.0;
 
-/// Share of the support that sound travels in a step.
+/// Share of the support radius that sound travels in a step.
 const COURANT: f64 = 0.2;
 
-/// Largest displacement of the jittered start along each axis, in particle distances.
+/// Largest displacement of the jittered start along each axis, in particle spacings.
 const JITTER: f64 = 0.2;
 
-/// Over which the rate is fitted, s, and when the profile is looked at: the catalogue's.
+/// Interval over which the rate is fitted, and time at which speeds are compared, s, as in case V2.
 const FIT: [f64; 2] = [0.2, 2.0];
 const LOOK: f64 = 1.0;
 const STEPS_PER_SAMPLE: u64 = 5;
 
-/// Of the issue: 5 % of the decay rate of the kinetic energy, `16 pi^2 nu`.
+/// Required limit: 5 % of the decay rate of the kinetic energy, `16 pi^2 nu`.
 const LIMIT: f64 = 0.05;
 
-/// The best of the forms below from both starts.
+/// The best of the forms below, from both starts.
 const BEST: (DensityForm, PressureForce) = (DensityForm::Summation, PressureForce::Monaghan);
 
-/// How particles lie at the start.
+/// Arrangement of the particles at the start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Start {
     Lattice,
     Jittered,
 }
 
-/// What a run came to.
+/// Results of a run.
 #[derive(Clone, Copy, Debug)]
 struct Decay {
-    /// Error of the fitted rate, over the rate.
+    /// Relative error of the fitted rate.
     rate: f64,
-    /// Error of the largest speed at [`LOOK`], over itself.
+    /// Relative error of the largest speed at [`LOOK`].
     fastest: f64,
-    /// Mean error of the speed then, over the mean speed.
+    /// Mean error of the speed at [`LOOK`], over the mean speed.
     speed: f64,
 }
 
@@ -79,9 +80,9 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let side = if context.quick { QUICK_SIDE } else { SIDE };
     for start in [Start::Jittered, Start::Lattice] {
         let decay = decay(context, side, BEST, start)?;
-        // at 50 x 50 a lattice is far off whatever the form: see the table
+        // with 50 x 50 particles a lattice is far off with all forms: see the table
         if start == Start::Jittered || !context.quick {
-            let name = format!("decay rate off by, {side} x {side}, {start:?}");
+            let name = format!("error of the decay rate, {side} x {side}, {start:?}");
             figures.push(Metric::below(name, decay.rate.abs(), LIMIT));
         }
         lines.push(line(side, BEST, start, &Ok(decay)));
@@ -95,11 +96,11 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     }
     let titles = ["side", "density", "pressure force", "start", "rate", "u_max at 1 s", "mean speed at 1 s"];
     let note =
-        format!("Errors over the exact value; the rate is that of the kinetic energy from {} to {} s.", FIT[0], FIT[1]);
+        format!("All errors are relative. The rate is that of the kinetic energy from {} to {} s.", FIT[0], FIT[1]);
     Ok(Outcome::new(NAME, figures, vec![note, table(titles, lines)]))
 }
 
-/// Every density with every pressure force that goes with it.
+/// Returns every density form with every pressure force that is compatible with it.
 fn forms() -> impl Iterator<Item = (DensityForm, PressureForce)> {
     let all =
         DensityForm::ALL.iter().flat_map(|density| PressureForce::ALL.iter().map(move |force| (*density, *force)));
@@ -137,18 +138,19 @@ fn scene(side: u16, (density, force): (DensityForm, PressureForce)) -> Scene {
     scene
 }
 
-/// Velocity of the flow at its start, m/s.
+/// Returns the velocity of the flow at the start, m/s.
 fn exact(x: f64, y: f64) -> [f64; 2] {
     let (x, y) = (2.0 * PI * x, 2.0 * PI * y);
     [-x.cos() * y.sin(), x.sin() * y.cos()]
 }
 
-/// The particles: their own lattice, denser than the scene's, with the velocities of the flow.
+/// Returns the particles: on their own lattice, which is denser than that of the scene, with the velocities of the
+/// flow.
 fn particles(scene: &Checked<'_>, side: u16, start: Start) -> Vec<InitialParticle> {
-    // what is not a position or a velocity is as for any particle of the scene
+    // all other fields are those of a particle of the scene
     let Some(pattern) = scene.initial_particles().next() else { return Vec::new() };
     let deviation = f64::from(LOOSER * LOOSER - 1.0);
-    // the generator of core's blocks (Numerical Recipes): any fixed sequence will do
+    // the generator of core's blocks (Numerical Recipes); any fixed sequence would do
     let mut seed = 1u32;
     let mut random = move || {
         seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -164,7 +166,7 @@ fn particles(scene: &Checked<'_>, side: u16, start: Start) -> Vec<InitialParticl
             let (x, y) = (along(i), along(j));
             let [u, v] = exact(x, y);
             let (position, velocity) = ([x as f32, y as f32, 0.0], [u as f32, v as f32, 0.0]);
-            // where density is stepped it starts as dense as the packing
+            // a density that is integrated in time starts as that of the packing
             all.push(InitialParticle {
                 position: position.into(),
                 velocity: velocity.into(),
@@ -197,7 +199,7 @@ fn decay(context: &Context, side: u16, form: (DensityForm, PressureForce), start
     Ok(Decay { rate: -slope(&samples) / (16.0 * PI * PI * NU) - 1.0, fastest, speed })
 }
 
-/// Errors of the largest speed, over itself, and of all speeds, over their mean.
+/// Returns the relative error of the largest speed, and the mean error of all speeds over their mean.
 fn speeds(solver: &Solver<'_>) -> (f64, f64) {
     let left = (-8.0 * PI * PI * NU * solver.time()).exp();
     let all = fluid(solver);
@@ -210,7 +212,7 @@ fn speeds(solver: &Solver<'_>) -> (f64, f64) {
     (fastest / left - 1.0, off / mean(&all, |p| speed(p.position.x, p.position.y)))
 }
 
-/// Slope of the line that fits best.
+/// Returns the slope of the line of best fit.
 fn slope(points: &[[f64; 2]]) -> f64 {
     let centre = [0, 1].map(|i| mean(points, |point| point[i]));
     let product = |i: usize, j: usize| mean(points, |point| (point[i] - centre[i]) * (point[j] - centre[j]));

@@ -1,5 +1,5 @@
-//! `tensile`: Pirovano test 1 (section 5.3.1). A cube of water without gravity, held together by its own suction, becomes a
-//! sphere; near pressure keeps its particles from clustering, and without it they do.
+//! `tensile`: Pirovano test 1 (section 5.3.1). A cube of water without gravity, held together by its own negative
+//! pressure, becomes a sphere. Near pressure keeps its particles from clustering. Without near pressure they cluster.
 use super::flow::{checked, fluid, grid, mean, start_with, step, steps_to};
 use super::recipes::PIROVANO;
 use super::{Context, Metric, Outcome};
@@ -12,40 +12,41 @@ use millpond_core::{Particle, Solver};
 
 const NAME: &str = "tensile";
 
-/// Particles along an edge, and their distance, m; neighbours and time step are those of Pirovano, section 5.2.
+/// Particles along an edge, in a full and in a quick study, and spacing, m; number of neighbours and time step, s, of
+/// Pirovano, section 5.2.
 const EDGE: u16 = 16;
 const QUICK_EDGE: u16 = 12;
 const SPACING: f32 = 0.05;
 const AVERAGE_NEIGHBOURS: f32 = 27.0;
 const TIME_STEP: f32 = 0.001;
 
-/// Pa s.
+/// Dynamic viscosity, Pa s.
 const VISCOSITY: f32 = 10.0;
 
-/// How long it runs, s: Pirovano shows five. Clusters are there long before. Until 2 s the blob still swings between a cube and a
-/// star: with an edge of 12 its reach along diagonals over axes is 1.23 at 1.5 s, 1.16 at 2 s, 1.124 at 3 s, 1.108 at 4 s and
-/// 1.099 at 5 s.
+/// End of the run, s, in a full and in a quick study, and without near pressure. Pirovano shows 5 s. Clusters form much
+/// earlier. Until 2 s the shape still oscillates between a cube and a star: with an edge of 12 its extent along
+/// diagonals over that along axes is 1.23 at 1.5 s, 1.16 at 2 s, 1.124 at 3 s, 1.108 at 4 s and 1.099 at 5 s.
 const END: f64 = 5.0;
 const QUICK_END: f64 = 4.0;
 const CLUSTER_END: f64 = 1.0;
 const STEPS_PER_SAMPLE: u64 = 25;
 
-/// Of the issue: the closest pair, in spacings.
+/// Required limit of the distance of the closest pair, in spacings.
 const CLOSEST: f64 = 0.5;
 
-/// Of the issue: mean density off the rest density, in the later half.
+/// Required limit of the relative error of the mean density, in the second half of the run.
 const DENSITY: f64 = 0.12;
 
-/// Reach along diagonals over reach along axes: 1.73 of a cube, 1 of a sphere. A lattice that has to give way in whole
-/// particles leaves half a spacing of doubt at a radius of ten.
+/// Limit of the extent along diagonals over that along axes, which is 1.73 for a cube and 1 for a sphere. A lattice
+/// deforms by whole particles, which leaves an uncertainty of half a spacing at a radius of ten.
 const ROUND: f64 = 1.15;
 
-/// What a run came to.
+/// Results of a run.
 #[derive(Clone, Copy, Debug)]
 struct Blob {
-    /// Smallest distance of two particles over all samples, in spacings.
+    /// Smallest distance between two particles over all samples, in spacings.
     closest: f64,
-    /// Largest miss of the mean density in the later half.
+    /// Largest relative error of the mean density in the second half of the run.
     density: f64,
     /// [`roundness`] at start and end.
     roundness: [f64; 2],
@@ -57,18 +58,18 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let off = evolve(context, NearPressure::Off, CLUSTER_END)?;
     let [before, after] = thesis.roundness;
     let figures = vec![
-        Metric::above("closest pair over spacing, near pressure", thesis.closest, CLOSEST),
-        Metric::below("closest pair over spacing, none", off.closest, CLOSEST),
-        Metric::below("mean density off by, near pressure", thesis.density, DENSITY),
-        Metric::below("reach along diagonals over axes, at the end", after, ROUND),
-        Metric::below("the same over that of the start", after / before, 1.0),
+        Metric::above("closest pair over spacing, with near pressure", thesis.closest, CLOSEST),
+        Metric::below("closest pair over spacing, without near pressure", off.closest, CLOSEST),
+        Metric::below("error of the mean density, with near pressure", thesis.density, DENSITY),
+        Metric::below("extent along diagonals over axes, at the end", after, ROUND),
+        Metric::below("that extent over the one at the start", after / before, 1.0),
     ];
     let mut lines =
         vec![line(NearPressure::DensityProportional, end, &Ok(thesis)), line(NearPressure::Off, CLUSTER_END, &Ok(off))];
     if !context.quick {
         lines.push(line(NearPressure::DoubleDensity, end, &evolve(context, NearPressure::DoubleDensity, end)));
     }
-    let titles = ["near pressure", "s", "closest pair, spacings", "mean density off", "diagonals over axes"];
+    let titles = ["near pressure", "end, s", "closest pair, spacings", "mean density error", "diagonals over axes"];
     Ok(Outcome::new(NAME, figures, vec![table(titles, lines)]))
 }
 
@@ -114,7 +115,7 @@ fn evolve(context: &Context, near_pressure: NearPressure, end: f64) -> Result<Bl
     Ok(Blob { closest, density, roundness: [before, roundness(&fluid(&solver))] })
 }
 
-/// Smallest distance of two particles, m.
+/// Returns the smallest distance between two particles, m.
 fn closest_pair(solver: &mut Solver<'_>) -> f64 {
     let particles: Vec<Particle> = solver.particles().collect();
     let mut closest = f32::INFINITY;
@@ -127,7 +128,7 @@ fn closest_pair(solver: &mut Solver<'_>) -> f64 {
     f64::from(closest)
 }
 
-/// How far the particles reach from their centre along the diagonals of a cube, over how far along its axes.
+/// Returns the extent of the particles from their centre along the diagonals of a cube, divided by that along its axes.
 fn roundness(particles: &[Particle]) -> f64 {
     let of = |axis: usize| mean(particles, |particle| f64::from(particle.position[axis]));
     let centre = [of(0), of(1), of(2)];

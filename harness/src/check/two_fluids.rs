@@ -1,9 +1,10 @@
-//! `two-fluids`: the catalogue's case M1. A light fluid lies at rest over a heavy one, up to a thousand times as heavy: they
-//! do not mix, pressure is linear in each and the same on both sides of the interface, and no gap opens between them.
+//! `two-fluids`: case M1. A light fluid lies at rest over a heavy one, with density ratios up to 1000. The fluids must
+//! not mix, the pressure must be linear in each and continuous at the interface, and no gap may open between them.
 //!
-//! The classic density sum smears the heavy fluid's density over the nearest rows of the light one, and the light one's over
-//! the heavy one's: rows that are not compressed at all are pushed apart, or torn in as far as suction acts. The adapted
-//! forms see no other fluid in their densities (Pirovano, section 3.4.3).
+//! The classic density sum smears the density of the heavy fluid over the nearest rows of the light one, and that of
+//! the light fluid over the nearest rows of the heavy one. Rows that are not compressed are then pushed apart, or
+//! pulled in where pressure may be negative. The adapted forms ignore the density of the other fluid (Pirovano,
+//! section 3.4.3).
 use super::flow::{checked, grid, larger, rms_speed, start_with, step, steps_to};
 use super::recipes::SEVERAL_FLUIDS;
 use super::strata::{GRAVITY, HEAVY, NEAR, Rest, Row, averaged, mixed, near, rows};
@@ -19,21 +20,23 @@ use millpond_core::scene::{
 
 const NAME: &str = "two-fluids";
 
-/// Particles along a side of the box of one metre, an even number: the interface is halfway up.
+/// Particles along a side of the box of 1 m, in a full and in a quick study. The number is even, since the interface is
+/// halfway up.
 const SIDE: u16 = 30;
 const QUICK_SIDE: u16 = 20;
 
-/// Of the heavy fluid, m/s: ten times `sqrt(g H)`. The light one is as hard to compress, `rho c^2` being the same, lest what
-/// is left of noise in the heavy one's pressure crush it: it has the faster sound, and decides the time step.
+/// Speed of sound of the heavy fluid, m/s: ten times `sqrt(g H)`. The light fluid is as hard to compress (equal
+/// `rho c^2`), so that the remaining pressure noise of the heavy fluid does not crush it. Its speed of sound is
+/// therefore higher and determines the time step.
 const SPEED_OF_SOUND: f32 = 10.0;
 
-/// Share of the support that sound travels in a step.
+/// Share of the support radius that sound travels in a step.
 const COURANT: f64 = 0.2;
 
-/// Artificial viscosity, as much as the tank at rest has.
+/// Coefficient of artificial viscosity, as in `still-tank`.
 const ALPHA: f32 = 0.1;
 
-/// How many times as heavy, and how long it runs, s: the catalogue's 5 s where its thousands of steps a second allow.
+/// Density ratios and end times, s. The end is the 5 s of case M1 where the thousands of steps per second allow it.
 const CASES: [Case; 4] = [
     Case { ratio: 2.0, end: 5.0, quick_end: 1.0 },
     Case { ratio: 10.0, end: 5.0, quick_end: 1.0 },
@@ -41,27 +44,29 @@ const CASES: [Case; 4] = [
     Case { ratio: 1000.0, end: 1.5, quick_end: 0.2 },
 ];
 
-/// Share of a run at its end over which rows are averaged, and the largest speed counts.
+/// Share of a run, at its end, over which rows are averaged and the largest speed counts.
 const LAST: f64 = 0.2;
 const STEPS_PER_SAMPLE: u64 = 5;
 
-/// Of two labels of one fluid: steps after which bits are compared, and the disorder that gives them work, spacings.
+/// Test with two labels of one fluid: steps after which the bits are compared, and random displacement of the start, in
+/// spacings, so that there is motion.
 const LABEL_STEPS: u64 = 50;
 const JITTER: f32 = 0.2;
 
-/// Kernel of all sums, and particles inside its support: a lattice under pressure bears shear by these, as a still fluid
-/// that began on one should. (With 32 and Wendland's C2 it gives way: `millpond check kernels` has the table.)
+/// Kernel of all sums, and number of neighbours. With these a lattice under pressure resists shear, as a fluid at rest
+/// that started on a lattice should. With 32 neighbours and Wendland's C2 it gives way (`millpond check kernels` prints
+/// the table).
 const KERNEL: (Kernel, f32) = (Kernel::WendlandC4, 32.0);
 
 type Form = (DensityForm, PressureForce);
 
-/// The first one has limits; the second has the thesis' gradient, of which half of the step of the weight is missing in the
-/// rows at the interface.
+/// Compared forms. The first one has the limits. The second one has Pirovano's pressure gradient, which lacks half of
+/// the step of the weight in the rows at the interface.
 const ADAPTED: Form = (DensityForm::SummationAdapted, PressureForce::DensityWeighted);
 const SYMMETRIC: Form = (DensityForm::SummationAdapted, PressureForce::MonaghanAdapted);
 const CLASSIC: Form = (DensityForm::Summation, PressureForce::Monaghan);
 
-/// A ratio of densities.
+/// A density ratio, and how long its run is.
 #[derive(Clone, Copy, Debug)]
 struct Case {
     ratio: f32,
@@ -90,15 +95,15 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let titles = [
         "ratio",
         "density, pressure force",
-        "s, steps",
+        "time in s, steps",
         "rms speed over sqrt(g H)",
-        "pressure off by: rms, largest",
-        "step at the interface",
+        "pressure error: rms, largest",
+        "pressure step at the interface",
         "rows at the interface, spacings apart",
-        "particles beyond it",
+        "particles beyond the interface",
     ];
-    let note = "Pressures are over that at the floor, the level of the closed box taken off. A step of the lighter fluids is shorter, as their sound is faster: \
-                they run for less time.";
+    let note = "Pressure errors are over the pressure at the floor, and less their mean, since the box is closed. \
+                Lighter fluids need shorter steps, since their speed of sound is higher, and run for less time.";
     let mut notes = vec![table(titles, lines), note.into()];
     notes.extend(profiles);
     Ok(Outcome::new(NAME, figures, notes))
@@ -125,16 +130,16 @@ fn line(case: Case, form: Form, rest: Result<&Rest, &Failure>) -> [String; 8] {
     [case.ratio.to_string(), name, time, speed, pressure, jump, gap, mixed]
 }
 
-/// Where the rows about the interface lie and how dense they are: with the classic forms at once, when only the sum has
-/// been made, then at the end with both.
+/// Returns a table of the positions and densities of the rows near the interface: with the classic forms at the start,
+/// when only the density sum has been computed, and at the end with both forms.
 fn profile(case: Case, smeared: &[Row], adapted: &Rest, classic: Option<&Rest>) -> String {
     let titles = [
         "rows from the interface",
-        "classic, start: density over own",
-        "classic, end: spacings away",
-        "density over own",
-        "adapted, end: spacings away",
-        "density over own",
+        "classic, start: density over rest density",
+        "classic, end: spacings from the interface",
+        "density over rest density",
+        "adapted, end: spacings from the interface",
+        "density over rest density",
     ];
     let words = |rest: Option<&Rest>, i: usize| {
         let row = rest.and_then(|rest| near(&rest.rows).get(i).map(|row| (row, rest.side)));
@@ -170,7 +175,7 @@ fn scene(side: u16, ratio: f32, (density, pressure_force): Form) -> Scene {
         viscosity: Viscosity::Artificial,
         alpha: ALPHA,
         beta: 0.0,
-        // under the lid the weight leaves no pressure: what pulls there pulls particles into the wall
+        // under the lid the weight causes no pressure, and negative pressure there would pull particles into the wall
         negative_pressure: false,
         initialize_hydrostatic: true,
         normalize_mass: true,
@@ -179,7 +184,7 @@ fn scene(side: u16, ratio: f32, (density, pressure_force): Form) -> Scene {
         viscosity_kernel: kernel,
         ..SEVERAL_FLUIDS
     };
-    // each fluid between walls of its own density: what the classic sum smears is the interface alone
+    // each fluid lies between walls of its own density, so that the classic sum smears only the interface
     let walls = |fluid: u32, from: f32, open: Face| {
         let (low, high) = ([0.0, from, 0.0], [1.0, from + 0.5, 0.0]);
         Wall {
@@ -217,7 +222,7 @@ fn rest(context: &Context, side: u16, case: Case, form: Form) -> Result<Rest, Fa
     })
 }
 
-/// The rows of a scene that has only begun.
+/// Returns the rows of a scene at its start.
 fn start(scene: &Scene, side: u16) -> Result<Vec<Row>, Failure> {
     let scene = &checked(NAME, scene)?;
     let mut heap = OwnedMemory::of(scene);
@@ -225,7 +230,7 @@ fn start(scene: &Scene, side: u16) -> Result<Vec<Row>, Failure> {
     Ok(rows(&solver, scene, side))
 }
 
-/// 1 where it makes a difference that one fluid goes by two names, else 0.
+/// Returns 1 if the result depends on whether one fluid has two labels, else 0.
 fn labels(context: &Context, side: u16, form: Form) -> Result<f64, Failure> {
     let mut two = scene(side, 1.0, form);
     for block in &mut two.blocks {

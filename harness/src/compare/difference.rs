@@ -1,32 +1,32 @@
-//! Where two states differ, array by array, and by how much.
+//! Differences of two states: in which arrays, and how large.
 use crate::snapshot::Snapshot;
 use millpond_core::Array;
 use millpond_core::backend::plan::arrays::Class;
 use serde::Serialize;
 
-/// Position and velocity of something.
+/// A value for positions and a value for velocities.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct PerQuantity<T> {
-    /// Of positions.
+    /// For positions.
     pub position: T,
-    /// Of velocities.
+    /// For velocities.
     pub velocity: T,
 }
 
-/// How two states differ.
+/// Differences of two states.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
-    /// The first value that does, in the order of the arrays and then of the ids, in words.
+    /// The first difference, in the order of the arrays and then of the ids, as text.
     pub first: String,
-    /// Largest distance in units in the last place.
+    /// Largest difference, in units in the last place (ULP).
     pub max_ulp: PerQuantity<u32>,
-    /// Largest distance, m and m/s; NaN where one of two values is.
+    /// Largest difference, m and m/s; NaN if one of two values is NaN.
     pub max_abs: PerQuantity<f64>,
-    /// Every array of the state in which a bit differs.
+    /// All arrays of the state that differ in at least one bit.
     pub arrays: Vec<Array>,
 }
 
-/// Steps between two floats on the line of all floats; -0 and +0 are one step apart, as bits are what is compared.
+/// Returns the number of floats between two floats, in ULP. -0 and +0 are one apart, since bits are compared.
 #[must_use]
 pub fn ulp_distance(a: f32, b: f32) -> u32 {
     let place = |x: f32| {
@@ -36,7 +36,8 @@ pub fn ulp_distance(a: f32, b: f32) -> u32 {
     place(a).abs_diff(place(b)) as u32
 }
 
-/// What differs between two states, if any bit of any array does. States of different sizes differ everywhere.
+/// Returns the differences of two states, or `None` if all bits are equal. States of different sizes count as different
+/// in every array.
 #[must_use]
 pub fn difference(want: &Snapshot, got: &Snapshot) -> Option<Difference> {
     let state = || Array::ALL.iter().copied().filter(|array| array.class() == Class::State);
@@ -44,11 +45,11 @@ pub fn difference(want: &Snapshot, got: &Snapshot) -> Option<Difference> {
         let [a, b] = [want, got].map(|state| state.words(array).len() / array.words());
         let max_abs = PerQuantity { position: f64::NAN, velocity: f64::NAN };
         let max_ulp = PerQuantity { position: u32::MAX, velocity: u32::MAX };
-        let first = format!("{}: {a} entries against {b}", array.name());
+        let first = format!("{}: {a} entries and {b}", array.name());
         return Some(Difference { first, max_ulp, max_abs, arrays: state().collect() });
     }
     let differing: Vec<ArrayDifference> = state().filter_map(|array| of_array(array, want, got)).collect();
-    let step = (want.clock != got.clock).then(|| format!("the time step: {:?}, {:?}", want.clock, got.clock));
+    let step = (want.clock != got.clock).then(|| format!("time steps: {:?}, {:?}", want.clock, got.clock));
     let first = differing.first().map(|found| found.first.clone()).or(step)?;
     let of = |array| differing.iter().find(|found| found.array == array);
     let (position, velocity) = (of(Array::position), of(Array::velocity));
@@ -62,7 +63,7 @@ pub fn difference(want: &Snapshot, got: &Snapshot) -> Option<Difference> {
     })
 }
 
-/// The larger of two distances; NaN, once it is there, for good.
+/// Returns the larger of two differences. NaN, once reached, stays.
 pub(super) fn larger(before: f64, now: f64) -> f64 {
     if before.is_nan() || now <= before { before } else { now }
 }
@@ -74,7 +75,7 @@ struct ArrayDifference {
     abs: f64,
 }
 
-/// All words of an entry are compared, its fourth number too.
+/// Compares all words of an array, including the fourth component of each vector.
 fn of_array(array: Array, want: &Snapshot, got: &Snapshot) -> Option<ArrayDifference> {
     let mut out: Option<ArrayDifference> = None;
     for (i, (a, b)) in want.words(array).iter().zip(got.words(array)).enumerate() {

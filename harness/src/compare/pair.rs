@@ -1,62 +1,63 @@
-//! What comes of holding one path against another, and how it is told.
+//! The result of comparing one path with another, and its report.
 use super::difference::{Difference, PerQuantity, larger};
 use crate::failure::Failure;
 use crate::timing::Milliseconds;
 use millpond_core::scene::Scene;
 use serde::Serialize;
 
-/// How far a path that promises no bits may stray, as a share of the spacing and of the speed of sound. A difference of
-/// one ULP grows with the fluid's chaos; this is where a picture begins to show it.
+/// Largest allowed deviation of a path that does not promise equal bits: of positions as a share of the spacing, of
+/// velocities as a share of the speed of sound. A difference of one ULP grows because the flow is chaotic; at this size
+/// it begins to be visible in a picture.
 const TOLERANCE: f64 = 0.01;
 
-/// One path held against another.
+/// One path compared with another.
 #[derive(Clone, Debug, Serialize)]
 pub struct Pair {
-    /// The path all others are held against.
+    /// Name of the reference path.
     pub a: String,
-    /// The other.
+    /// Name of the other path.
     pub b: String,
-    /// Not a bit differed at any step.
+    /// Whether all bits were equal after every step.
     pub bit_equal: bool,
-    /// The first step at which one did.
+    /// The first step after which a bit differed.
     pub first_divergent_step: Option<u64>,
-    /// Largest distance in units in the last place, over all steps.
+    /// Largest difference over all steps, ULP.
     pub max_ulp: PerQuantity<u32>,
-    /// Largest distance, m and m/s.
+    /// Largest difference over all steps, m and m/s.
     pub max_abs: PerQuantity<f64>,
-    /// Close enough to look the same.
+    /// Whether the differences stayed within the tolerance.
     pub within_tolerance: bool,
-    /// The first value that differed, in words.
+    /// The first difference, as text.
     pub first_difference: Option<String>,
-    /// Arrays of the state in which a bit differed, at any step.
+    /// Arrays of the state that differed in a bit after any step.
     pub differing_arrays: Vec<&'static str>,
-    /// Does this path promise bits?
+    /// Whether this path promises equal bits.
     pub promised: bool,
-    /// Why it stopped early, if it did.
+    /// Why the path stopped early, if it did.
     pub failure: Option<String>,
-    /// Time of a step of `b`, reading a device back included.
+    /// Time of a step of `b`, including reading back from a GPU.
     pub ms_per_step: Milliseconds,
 }
 
 /// Result of `compare`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Comparison {
-    /// The scene.
+    /// Name of the scene.
     pub scene: String,
-    /// Steps compared.
+    /// Number of steps compared.
     pub steps: u64,
-    /// Particles of the scene.
+    /// Number of particles.
     pub particles: usize,
     /// State hash after the last step.
     pub hash: String,
-    /// Time of a step of the path all others are held against.
+    /// Time of a step of the reference path.
     pub ms_per_step: Milliseconds,
     /// All pairs.
     pub pairs: Vec<Pair>,
 }
 
 impl Comparison {
-    /// Did every path keep its promise?
+    /// Returns whether every path kept its promise: equal bits, or else differences within the tolerance.
     #[must_use]
     pub fn kept(&self) -> bool {
         self.pairs.iter().all(|p| p.bit_equal || (!p.promised && p.within_tolerance))
@@ -64,7 +65,7 @@ impl Comparison {
 }
 
 impl Pair {
-    /// A path of this name, about to start.
+    /// Returns the pair of the scalar path and another path, before the first step.
     pub(super) fn new(b: String, promised: bool) -> Pair {
         Pair {
             a: "cpu scalar".into(),
@@ -82,7 +83,7 @@ impl Pair {
         }
     }
 
-    /// Writes down that a step differed.
+    /// Records that the states differ after a step.
     pub(super) fn note(&mut self, step: u64, found: Difference, scene: &Scene) {
         self.bit_equal = false;
         self.first_divergent_step.get_or_insert(step);
@@ -100,7 +101,7 @@ impl Pair {
             && self.max_abs.velocity <= TOLERANCE * f64::from(scene.fluids[0].speed_of_sound);
     }
 
-    /// Writes down that the path stopped at a step.
+    /// Records that the path stopped at a step.
     pub(super) fn stop(&mut self, step: u64, failure: &Failure) {
         self.bit_equal = false;
         self.within_tolerance = false;
@@ -109,12 +110,12 @@ impl Pair {
     }
 }
 
-/// The comparison in words.
+/// Formats the comparison as text.
 #[must_use]
 pub fn table(comparison: &Comparison) -> String {
     let Comparison { scene, steps, particles, hash, pairs, ms_per_step } = comparison;
     let mut out = format!("{scene}: {particles} particles, {steps} steps, hash {hash}\n\n");
-    out += "| path | ms a step, least | median | against cpu scalar |\n| --- | --- | --- | --- |\n";
+    out += "| path | ms per step, minimum | median | compared with cpu scalar |\n| --- | --- | --- | --- |\n";
     out += &format!("| cpu scalar | {:.2} | {:.2} | |\n", ms_per_step.min, ms_per_step.median);
     for pair in pairs {
         let verdict = match (&pair.first_divergent_step, &pair.first_difference) {
@@ -141,8 +142,8 @@ pub fn table(comparison: &Comparison) -> String {
 
 #[cfg(test)]
 mod tests {
-    //! Promise: a path that promises no bits may stray by 1 % of the spacing and of the speed of sound, by no more and by nothing
-    //! that is no number; and one that promises bits may not stray at all.
+    //! Promise: a path that does not promise equal bits may deviate by 1 % of the spacing and of the speed of sound,
+    //! not by more, and not by a value that is not finite. A path that promises equal bits may not deviate at all.
     use super::*;
     use crate::compare::difference::difference;
     use crate::snapshot::Snapshot;
@@ -157,7 +158,8 @@ mod tests {
         Scene::of(Dimension::Three, SPACING, 0.001, fluid, Block::default())
     }
 
-    /// Two particles at rest in the origin, the second of which strays along an axis, in place and in velocity.
+    /// Returns a state of two particles at rest at the origin, the second of which deviates along an axis in position
+    /// and velocity.
     fn strayed(axis: usize, place: f32, velocity: f32) -> Snapshot {
         let of = |by: f32| {
             let mut vectors = [f32x4::default(); 2];
@@ -167,7 +169,7 @@ mod tests {
         Snapshot::of_particles(&of(place), &of(velocity))
     }
 
-    /// A path that is at these places at one step each, held against one that rests.
+    /// Compares a path that has these states after its steps with a path that stays at rest.
     fn held(promised: bool, steps: &[Snapshot]) -> Comparison {
         let mut pair = Pair::new("another".into(), promised);
         for (step, got) in (1..).zip(steps) {

@@ -1,5 +1,5 @@
-//! Two particles at one place, under every choice of formulas: they have no direction to push each other in, and kernels are at
-//! their steepest there.
+//! Two particles at the same position, under every choice of formulas. No direction is defined for their forces, and
+//! kernels are steepest there.
 use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
 use millpond_core::scene::{
@@ -7,10 +7,10 @@ use millpond_core::scene::{
     Scene, SupportRange, SurfaceTension, Viscosity,
 };
 
-/// Of those that started in one place, most will have come apart.
+/// Number of steps, enough for most coincident particles to separate.
 const STEPS: u32 = 10;
 
-/// The cases.
+/// Returns the cases.
 ///
 /// # Errors
 /// A built-in scene that cannot be read.
@@ -18,7 +18,7 @@ pub fn cases() -> Result<Vec<Case>, Failure> {
     let mut scene = built_in("thesis-cube", 200)?;
     scene.grid.cells = [4, 4, 4];
     let mut cases = Vec::new();
-    // two pass through each other, two rest in each other, and one is near
+    // two particles pass through each other, two are at rest at the same position, and one is near
     let places = [(0.0, 1.0), (0.0, -1.0), (0.05, 0.0), (0.05, 0.0), (0.03, 0.0)];
     let places = places.map(|(x, v)| InitialParticle::at([x, 0.0, 0.0], [0.0, v, 0.0]));
     let mut add = |what: &str, change: &dyn Fn(&mut Scene)| {
@@ -27,7 +27,7 @@ pub fn cases() -> Result<Vec<Case>, Failure> {
         let name = format!("coincident particles, {what}");
         cases.push(Case::of_places(name, &scene, places.to_vec(), STEPS, End::Runs(Measure::Finite)));
     };
-    // as few scenes as have every choice in one of them
+    // combine the choices so that few scenes contain each of them
     for (&kernel, &near) in Kernel::ALL.iter().zip(NearPressure::ALL.iter().cycle()) {
         for viscosity in [Viscosity::Mueller, Viscosity::Morris] {
             add(&format!("kernel {kernel:?}, viscosity {viscosity:?}, near pressure {near:?}"), &|s| {
@@ -58,7 +58,7 @@ pub fn cases() -> Result<Vec<Case>, Failure> {
         });
     }
     for &viscosity in Viscosity::ALL {
-        add(&format!("viscosity {viscosity:?}, heat"), &|s| {
+        add(&format!("viscosity {viscosity:?}, internal energy"), &|s| {
             (s.model.viscosity, s.model.density) = (viscosity, DensityForm::SummationAdapted);
             (s.model.internal_energy, s.model.velocity_exchange) = (true, 0.1);
         });

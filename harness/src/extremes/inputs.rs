@@ -1,4 +1,4 @@
-//! Every number of a scene, as what no number should be: not one at all, infinite, or 1e30.
+//! Every number of a scene set to an invalid or extreme value: NaN, infinite or 1e30.
 use super::settings::CELLS;
 use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
@@ -8,14 +8,15 @@ use millpond_core::scene::{
     WallShape, Wind,
 };
 
-/// Particles of a case, and steps, if it starts.
+/// Number of particles of a case, and number of steps if it starts.
 const PARTICLES: u64 = 50;
 const STEPS: u32 = 3;
 
-/// A number of a scene; what it belongs to is made where the scene has none.
+/// Returns a number of a scene. The part of the scene that it belongs to is added if it is missing.
 type Number = fn(&mut Scene) -> Option<&mut f32>;
 
-/// By the name that a check refuses them by. What a check refuses first where two numbers share a name is that name.
+/// The numbers, by the names that errors give them. Where two numbers share a name, this is the one that is checked
+/// first.
 const NUMBERS: &[(&str, Number)] = &[
     ("particle_spacing", |s| Some(&mut s.particle_spacing)),
     ("average_neighbours", |s| Some(&mut s.average_neighbours)),
@@ -80,22 +81,24 @@ const NUMBERS: &[(&str, Number)] = &[
     ("model.variable_support.largest", |s| Some(&mut range(s).largest)),
 ];
 
-/// What a refusal of 1e30 may name in a number's stead, since it follows from that number: the only ones that it may.
+/// For a value of 1e30, an error may name another quantity that is derived from the number. These are the only such
+/// quantities.
 const DERIVED: &[(&str, &str)] = &[
-    // their count
+    // their number
     ("blocks.size", "particles"),
-    // whose extent is between these
+    // the extent of a wall
     ("walls.low", "walls"),
     ("walls.high", "walls"),
-    // as many as fit between low and high
+    // as many cells as fit between low and high
     ("periodic.high", "grid.cells"),
-    // which may not be smaller
+    // it must not be smaller than the smallest step
     ("adaptive.smallest", "adaptive.largest"),
-    // which is scaled to it
+    // the speed of sound is derived from it
     ("stiffness_for_time_step", "fluids[0].speed_of_sound"),
 ];
 
-/// The cases: as no number each is refused by its name; as 1e30 it runs, or the refusal names it or what follows from it.
+/// Returns the cases. A value that is not finite must be rejected with an error that names the number. With 1e30 the
+/// scene runs, or the error names the number or a quantity derived from it.
 ///
 /// # Errors
 /// A built-in scene that cannot be read.
@@ -135,7 +138,7 @@ fn heated(scene: &mut Scene) -> &mut Fluid {
 }
 
 fn other(scene: &mut Scene) -> Option<&mut Fluid> {
-    // no more than a scene can have
+    // within the limit on the number of fluids
     let _ = scene.fluids.push(Fluid::default());
     scene.fluids.last_mut()
 }
@@ -146,7 +149,7 @@ fn walled(scene: &mut Scene) -> Option<&mut Wall> {
     scene.walls.last_mut()
 }
 
-/// Low and high corner of a wall.
+/// Returns the low and the high corner of a wall.
 fn wall(scene: &mut Scene) -> Option<(&mut Vec3, &mut Vec3)> {
     let (WallShape::Plane { low, high, .. } | WallShape::Box { low, high, .. }) = &mut walled(scene)?.shape;
     Some((low, high))

@@ -1,4 +1,4 @@
-//! Runs a case on every backend and says what came of it.
+//! Runs a case on every backend and checks its result.
 use super::{Case, End, Run};
 use crate::failure::Failure;
 use crate::outcome::Metric;
@@ -9,58 +9,58 @@ use millpond_core::{Array, Plan, Requirements, SceneError, Serial, Simd, Solver,
 use millpond_gpu::{Gpu, GpuError, GpuSolver};
 use std::fmt;
 
-/// What came of a case.
+/// Result of a case.
 #[derive(Clone, Debug)]
 pub struct Verdict {
-    /// The case.
+    /// Name of the case.
     pub name: String,
-    /// In words: the refusal, or what was measured.
+    /// The error or the measured figures, as text.
     pub came: String,
-    /// Refusals of a step, each of them tried twice.
+    /// Number of steps that failed; each of them was tried twice.
     pub refusals: usize,
-    /// Pairs of backends that were compared.
+    /// Number of pairs of backends that were compared.
     pub compared: usize,
-    /// What should have been otherwise.
+    /// Deviations from the expected result.
     pub faults: Vec<Fault>,
 }
 
-/// What should have been otherwise.
+/// A deviation from the expected result.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Fault {
-    /// It did not end as it must.
+    /// The case did not end as expected.
     End(String),
-    /// A refused step left another state behind, or another refusal at the second try.
+    /// A failed step changed the state, or failed with another error at the second try.
     Changed(String),
-    /// Two backends do not agree.
+    /// Two backends disagree.
     Parted(String),
 }
 
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Fault::End(came) => write!(f, "should have ended otherwise: {came}"),
-            Fault::Changed(backend) => write!(f, "refused by {backend}, and yet changed"),
-            Fault::Parted(ends) => write!(f, "ended in two ways: {ends}"),
+            Fault::End(came) => write!(f, "unexpected result: {came}"),
+            Fault::Changed(backend) => write!(f, "a refused step changed the state on {backend}"),
+            Fault::Parted(ends) => write!(f, "backends disagree: {ends}"),
         }
     }
 }
 
-/// How a backend ended.
+/// Result of a case on one backend.
 struct Ended {
     backend: &'static str,
-    /// Steps that count.
+    /// Number of completed steps.
     steps: u64,
     refusal: Option<StepError>,
-    /// The same error a second time, and the same bits as before the first?
+    /// Whether a failed step fails with the same error again, and leaves the state unchanged both times.
     kept: bool,
     start: Snapshot,
     end: Snapshot,
 }
 
-/// Runs a case on the CPU, by one number at a time and by lanes, and on a device, where there is one.
+/// Runs a case on the CPU at the scalar and at the best SIMD level, and on a GPU if there is one.
 ///
 /// # Errors
-/// A device that failed.
+/// A failure of the device.
 pub fn judge(case: &Case, gpu: Option<&Gpu>) -> Result<Verdict, Failure> {
     let scalar = match on_cpu(case, "scalar", Simd::Scalar) {
         Ok(ended) => ended,
@@ -79,7 +79,7 @@ pub fn judge(case: &Case, gpu: Option<&Gpu>) -> Result<Verdict, Failure> {
     Ok(Verdict { name: case.name.clone(), came, refusals, compared: others.len(), faults })
 }
 
-/// What backends did to a state that they were to keep, and where they part.
+/// Returns states that a failed step changed, and differences between backends.
 fn between(scalar: &Ended, others: &[Ended]) -> Vec<Fault> {
     let all = std::iter::once(scalar).chain(others);
     let mut faults: Vec<Fault> =
@@ -94,7 +94,7 @@ fn between(scalar: &Ended, others: &[Ended]) -> Vec<Fault> {
     faults
 }
 
-/// A scene that did not start.
+/// Returns the result of a case whose scene was rejected.
 fn refused(case: &Case, error: &SceneError) -> Verdict {
     let meant = match case.end {
         End::Refused(is_meant) => is_meant(error),
@@ -112,7 +112,8 @@ fn refused(case: &Case, error: &SceneError) -> Verdict {
     Verdict { name: case.name.clone(), came, refusals: 0, compared: 0, faults }
 }
 
-/// Does its sentence name this field, by the last part of its path? A refusal of the first step names a particle instead.
+/// Returns whether the error message names this field, by the last part of its path. An error of the first step names a
+/// particle and no field, and is accepted.
 fn names(error: &SceneError, field: &str) -> bool {
     let last = field.rsplit('.').next();
     let sentence = error.to_string();
@@ -120,7 +121,7 @@ fn names(error: &SceneError, field: &str) -> bool {
     matches!(error, SceneError::FirstStep(_)) || words.any(|word| Some(word) == last)
 }
 
-/// What came of a case that started, in words; and again as a fault, where it is not what must come of it.
+/// Returns the result of a case that started, as text, and a fault if it is not the expected one.
 fn outcome(case: &Case, ended: &Ended) -> Result<(String, Option<Fault>), Failure> {
     let mut came = ended.words();
     let meant = match (case.end, ended.refusal) {
@@ -130,9 +131,9 @@ fn outcome(case: &Case, ended: &Ended) -> Result<(String, Option<Fault>), Failur
             let seconds = ended.end.clock.time;
             let run = Run { scene: &case.scene, start: &ended.start, end: &ended.end, seconds };
             let none = not_finite(&ended.end);
-            // from a state with numbers that are none nothing more can be measured
+            // nothing else can be measured in a state with values that are not finite
             let figures =
-                if none == 0 { measure.figures(&run)? } else { vec![Metric::below("no numbers", none as f64, 0.0)] };
+                if none == 0 { measure.figures(&run)? } else { vec![Metric::below("not finite", none as f64, 0.0)] };
             for Metric { name, value, .. } in &figures {
                 came += &format!("; {name} {value:.1e}");
             }
@@ -150,7 +151,7 @@ impl Ended {
     }
 }
 
-/// Does something with a case at its start.
+/// Calls `work` with a solver at the start of a case.
 fn with_solver<T>(case: &Case, work: impl FnOnce(Solver<'_>) -> T) -> Result<T, SceneError> {
     let scene = case.scene.check()?;
     let at: Vec<InitialParticle> = case.places.clone().unwrap_or_else(|| scene.initial_particles().collect());
@@ -177,7 +178,7 @@ fn on_cpu(case: &Case, backend: &'static str, simd: Simd) -> Result<Ended, Scene
     })
 }
 
-/// A device is told of all steps at once. The state that a refusal must leave is the one that the CPU's left.
+/// Runs a case on a GPU, which is given all steps at once. A failed step must leave the state that it left on the CPU.
 fn on_device(case: &Case, gpu: &Gpu, solver: &Solver<'_>, cpu: &Ended) -> Result<Ended, Failure> {
     let mut fluid = GpuSolver::new(gpu, solver)?;
     let start = Snapshot::of_gpu(&fluid)?;
@@ -188,7 +189,7 @@ fn on_device(case: &Case, gpu: &Gpu, solver: &Solver<'_>, cpu: &Ended) -> Result
     Ok(Ended { backend: "device", steps: fluid.steps(), refusal, kept, start, end })
 }
 
-/// Makes steps; the refusal, if any.
+/// Makes steps and returns the error of the step that failed, if one did.
 fn step(fluid: &mut GpuSolver, steps: u32) -> Result<Option<StepError>, Failure> {
     match fluid.step(steps) {
         Ok(()) => Ok(None),
@@ -197,7 +198,7 @@ fn step(fluid: &mut GpuSolver, steps: u32) -> Result<Option<StepError>, Failure>
     }
 }
 
-/// Numbers of a state that are none, or infinite.
+/// Returns the number of values in a state that are not finite.
 fn not_finite(state: &Snapshot) -> usize {
     let vectors = Array::ALL.iter().filter(|array| array.is_vector());
     vectors.flat_map(|&array| state.vectors(array)).flatten().filter(|x| !x.is_finite()).count()

@@ -1,56 +1,57 @@
-//! What a state that is reported as good is held against.
+//! Requirements on the final state of a case that ran to its end.
 use super::Run;
 use crate::failure::Failure;
 use crate::outcome::Metric;
 use crate::state_summary::summarize;
 use crate::warnings::{gained, warnings};
 
-/// Of the way that a particle falls (the catalogue's X10).
+/// Largest deviation from free fall, as a share of the distance fallen (case X10 of the test catalogue).
 const FALL: f64 = 1e-4;
 
-/// Energy that may come out of nothing, as a share of what was in motion or came to be.
+/// Largest growth of the energy, as a share of the initial kinetic energy or of the potential energy that was released.
 const GROWTH: f64 = 0.01;
 
-/// What must hold of a run. That all its numbers are numbers is looked at in every case.
+/// A requirement on a case that ran to its end. In every case all values must be finite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
-    /// Nothing more.
+    /// No further requirement.
     Finite,
-    /// Everybody moves as if alone: `x0 + v0 t + g t^2 / 2`.
+    /// Every particle moves as if it were alone: `x0 + v0 t + g t^2 / 2`.
     Falls,
-    /// Nobody moves.
+    /// No particle moves.
     Stays,
-    /// Nobody moves, and nobody has a velocity: not even one too small to move anything.
+    /// No particle moves, and all velocity components are exactly +0, not just too small to change a position.
     Rests,
-    /// Nobody is behind a wall, and the energy did not grow.
+    /// No particle is outside of the container, and the energy did not grow.
     Contained,
-    /// Nobody is faster than sound at rest: a pair thrown apart had no more energy than pressure gave it.
+    /// No particle is faster than the speed of sound at rest: two particles that repel each other gain only the energy
+    /// of their pressure.
     Subsonic,
-    /// The energy did not grow, or `run` warns its user.
+    /// The energy did not grow, or `run` prints a warning.
     Honest,
-    /// `run` warns its user, whatever came of the scene.
+    /// `run` prints a warning, whatever the result.
     Warned,
 }
 
 impl Measure {
-    /// What was measured, with limits.
+    /// Returns the measured figures with their limits.
     ///
     /// # Errors
-    /// A state that no step could start from.
+    /// A state from which no solver can start.
     pub(super) fn figures(self, run: &Run<'_>) -> Result<Vec<Metric>, Failure> {
-        let moved = || Metric::below("moved", moved(run) as f64, 0.0);
-        let grown = || Ok::<_, Failure>(Metric::below("energy grown by", growth(run)?, GROWTH));
+        let moved = || Metric::below("particles moved", moved(run) as f64, 0.0);
+        let grown = || Ok::<_, Failure>(Metric::below("energy growth", growth(run)?, GROWTH));
         let warnings = |said: usize| Metric::above("warnings", said as f64, 1.0);
         Ok(match self {
             Measure::Finite => Vec::new(),
-            Measure::Falls => vec![Metric::below("off free fall by", off_fall(run), FALL)],
+            Measure::Falls => vec![Metric::below("off free fall", off_fall(run), FALL)],
             Measure::Stays => vec![moved()],
-            Measure::Rests => vec![moved(), Metric::below("drifting", drifting(run) as f64, 0.0)],
-            Measure::Contained => vec![Metric::below("behind walls", outside(run) as f64, 0.0), grown()?],
+            Measure::Rests => vec![moved(), Metric::below("not at rest", drifting(run) as f64, 0.0)],
+            Measure::Contained => vec![Metric::below("outside walls", outside(run) as f64, 0.0), grown()?],
             Measure::Subsonic => {
                 let fastest = summarize(run.scene, run.end)?.fastest;
                 let sound = f64::from(run.scene.fluids[0].speed_of_sound);
-                vec![Metric::below("fastest over sound", fastest / sound, 1.0)]
+                vec![Metric::below("speed over sound", fastest / sound, 1.0)]
             }
             Measure::Honest => match said(run)? {
                 0 => vec![grown()?],
@@ -61,7 +62,7 @@ impl Measure {
     }
 }
 
-/// Largest distance from where a particle should have fallen, over the way of the fall.
+/// Returns the largest deviation of a particle from free fall, divided by the distance fallen.
 fn off_fall(run: &Run<'_>) -> f64 {
     let t = run.seconds;
     let g = run.scene.gravity.to_array().map(f64::from);
@@ -71,7 +72,7 @@ fn off_fall(run: &Run<'_>) -> f64 {
         for axis in 0..3 {
             let due = f64::from(x0[axis]) + f64::from(v0[axis]) * t + g[axis] * t * t / 2.0;
             let miss = (f64::from(x[axis]) - due).abs() / way;
-            // what is no number stays none
+            // NaN, once reached, stays
             off = if off.is_nan() || off >= miss { off } else { miss };
         }
     }
@@ -93,18 +94,19 @@ fn outside(run: &Run<'_>) -> usize {
     run.end.position().iter().filter(|x| !(0..axes).all(|axis| inside(x, axis))).count()
 }
 
-/// Warnings that `run` would give.
+/// Returns the number of warnings that `run` would print.
 fn said(run: &Run<'_>) -> Result<usize, Failure> {
     let (start, end) = (summarize(run.scene, run.start)?, summarize(run.scene, run.end)?);
     let scene = run.scene.check().map_err(|error| Failure::Scene { origin: "warnings".into(), error })?;
     Ok(warnings(&scene, &end, 0).len() + usize::from(gained(run.scene, &start, &end).is_some()))
 }
 
-/// By how much mechanical energy grew, over what was in motion or fell.
+/// Returns the growth of the mechanical energy, divided by the initial kinetic energy or the released potential energy,
+/// whichever is larger.
 fn growth(run: &Run<'_>) -> Result<f64, Failure> {
     let (start, end) = (summarize(run.scene, run.start)?.energies, summarize(run.scene, run.end)?.energies);
     let fell = start.potential - end.potential;
     let grown = end.kinetic - start.kinetic - fell;
-    // of nothing nothing grows
+    // also avoids 0 / 0
     Ok(if grown <= 0.0 { 0.0 } else { grown / start.kinetic.max(fell.abs()).max(f64::MIN_POSITIVE) })
 }

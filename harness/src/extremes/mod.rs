@@ -1,10 +1,10 @@
-//! Scenes pushed to extremes, and what must come of each: a sound state, or a refusal by name that changes nothing. Never a
-//! hang, a panic or numbers that mean nothing and do not say so.
+//! Extreme scenes and their expected results. Each must end in a valid state, or in an error that names the cause and
+//! leaves the state unchanged. None may hang, panic, or end in a meaningless state without a warning.
 //!
-//! A [`Case`] is a scene, its particles and the [`End`] that it must come to: [`particles`] has those of odd particles,
-//! [`coincident`] two at one place under every choice of formulas, [`settings`] those of odd scenes, [`inputs`] every number of
-//! a scene as what no number should be. [`judge`] runs a case on every backend; `check extremes` and the tests look at the
-//! same list.
+//! A [`Case`] is a scene with its particles and its expected [`End`]. [`particles`] has cases with unusual particles,
+//! [`coincident`] two particles at the same position under every choice of formulas, [`settings`] unusual scenes, and
+//! [`inputs`] invalid values for every number of a scene. [`judge`] runs a case on every backend. `check extremes` and
+//! the tests use the same list of cases.
 pub mod coincident;
 pub mod inputs;
 mod judge;
@@ -21,42 +21,43 @@ use crate::snapshot::Snapshot;
 use millpond_core::scene::{GridStructure, InitialParticle, Scene};
 use millpond_core::{SceneError, StepError};
 
-/// A scene at an extreme.
+/// An extreme scene.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// What is extreme about it.
+    /// Description, which is also its name.
     pub name: String,
     /// What runs.
     pub scene: Scene,
-    /// Its particles; none: those of the scene's own lattice.
+    /// The particles; `None` for those of the scene's own blocks.
     pub places: Option<Vec<InitialParticle>>,
-    /// Steps to make.
+    /// Number of steps to make.
     pub steps: u32,
-    /// What must come of it.
+    /// The expected result.
     pub end: End,
 }
 
-/// What must come of a case.
+/// The expected result of a case.
 #[derive(Clone, Copy, Debug)]
 pub enum End {
-    /// The scene or its particles are refused before anything moves, by such an error.
+    /// The scene or its particles are rejected before the first step, with an error for which the function returns
+    /// true.
     Refused(fn(&SceneError) -> bool),
-    /// The scene starts, and a step is refused by such an error.
+    /// The scene starts, and a step fails with an error for which the function returns true.
     Stopped(fn(&StepError) -> bool),
-    /// All steps are made, and this holds.
+    /// All steps succeed, and the requirement holds.
     Runs(Measure),
-    /// A refusal of either kind; or all steps are made, and this holds.
+    /// The scene is rejected, or a step fails, or all steps succeed and the requirement holds.
     Either(Measure),
-    /// The scene is refused for this field, by its whole path, as no number or as one outside of its bounds.
+    /// The scene is rejected as not finite or out of bounds, with an error that names this field by its whole path.
     NotANumber(&'static str),
-    /// As [`End::Either`], but a refusal of the scene has a sentence that names one of these two.
+    /// As [`End::Either`], but if the scene is rejected, the error message must name one of these two fields.
     Naming([&'static str; 2], Measure),
 }
 
-/// A case whose steps were all made.
+/// A case that ran to its end.
 #[derive(Debug)]
 pub struct Run<'a> {
-    /// What ran.
+    /// The scene.
     pub scene: &'a Scene,
     /// The state before the first step.
     pub start: &'a Snapshot,
@@ -67,18 +68,18 @@ pub struct Run<'a> {
 }
 
 impl Case {
-    /// With the particles of the scene's own lattice.
+    /// Returns a case with the particles of the scene's own blocks.
     fn of_scene(name: impl Into<String>, scene: Scene, steps: u32, end: End) -> Case {
         Case { name: name.into(), scene, places: None, steps, end }
     }
 
-    /// With these particles.
+    /// Returns a case with the given particles.
     fn of_places(name: impl Into<String>, scene: &Scene, places: Vec<InitialParticle>, steps: u32, end: End) -> Case {
         Case { name: name.into(), scene: scene.clone(), places: Some(places), steps, end }
     }
 }
 
-/// All cases.
+/// Returns all cases.
 ///
 /// # Errors
 /// A built-in scene that cannot be read.
@@ -90,8 +91,8 @@ pub fn cases() -> Result<Vec<Case>, Failure> {
     Ok(cases)
 }
 
-/// A built-in scene of about so many particles, sorted by an index: no crowd is too large for a cell of it. What is about cells that
-/// are full says so itself.
+/// Returns a built-in scene of about `particles` particles with the index sort, in which a cell can hold any number of
+/// particles. Cases about full cells set cell lists themselves.
 fn built_in(name: &str, particles: u64) -> Result<Scene, Failure> {
     let mut scene = load(name, &Changes { set: Vec::new(), particles: Some(particles) })?.file.scene;
     scene.grid.structure = GridStructure::IndexSort;

@@ -1,4 +1,5 @@
-//! Odd particles: none, one, several at one place, far ones, ones that are no numbers, too many for a cell.
+//! Unusual particles: none, one, several at the same position, far ones, ones with values that are not finite, too many
+//! for a cell.
 use super::settings::CELLS;
 use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
@@ -7,13 +8,13 @@ use millpond_core::Quantity;
 use millpond_core::scene::{GridStructure, InitialParticle, NearPressure, Scene};
 use millpond_core::{Axis, SceneError, StepError};
 
-/// Steps of a fall: 0.1 s.
+/// Number of steps of a free fall of 0.1 s.
 const FALL: u32 = 100;
 
-/// Particles that share a cell (the catalogue's X9), along an edge of their square.
+/// Number of particles along each edge of a square of particles that share a cell (case X9 of the test catalogue).
 const CROWD: u16 = 100;
 
-/// The cases.
+/// Returns the cases.
 ///
 /// # Errors
 /// A built-in scene that cannot be read.
@@ -45,7 +46,7 @@ fn few(scene: &Scene) -> Vec<Case> {
 
 fn coincident(scene: &Scene) -> Vec<Case> {
     let many = |count: usize| vec![at(0.1); count];
-    // in f32 the square of 1e-30 m is 0, and that of 1e-20 m has few digits left
+    // in f32 the square of 1e-30 m is 0, and that of 1e-20 m is denormal, with few digits left
     let apart = |distance: f32| vec![at(-0.5 * distance), at(0.5 * distance)];
     let mut light = scene.clone();
     light.gravity = Vec3::ZERO;
@@ -71,7 +72,7 @@ fn far(scene: &Scene) -> Vec<Case> {
     let fourth = End::Stopped(|error| matches!(error, StepError::OutOfRange { particle: 1, axis: Axis::Y, step: 4 }));
     vec![
         Case::of_places("a particle 1e5 m away", scene, beside(1e5), FALL, End::Runs(Measure::Falls)),
-        Case::of_places("the same, said to the user", scene, beside(1e5), 1, End::Runs(Measure::Warned)),
+        Case::of_places("a particle 1e5 m away, warned of", scene, beside(1e5), 1, End::Runs(Measure::Warned)),
         Case::of_places("a particle 1e6 m away", scene, beside(1e6), 1, start),
         Case::of_places("a particle 1e9 m away", scene, beside(1e9), 1, start),
         Case::of_places("a particle -1e30 m away", scene, beside(-1e30), 1, start),
@@ -89,7 +90,7 @@ fn no_numbers(scene: &Scene) -> Vec<Case> {
     let density =
         End::Refused(|e| matches!(e, SceneError::ParticleNotFinite { particle: 1, quantity: Quantity::Density }));
     let mass = End::Refused(|e| matches!(e, SceneError::NotPositive { field: "mass of a particle", .. }));
-    // masses differ where the weight of the fluid above is in them
+    // with the hydrostatic start the particles have masses of their own
     let mut weighed = scene.clone();
     weighed.model.initialize_hydrostatic = true;
     let mut cases = Vec::new();
@@ -108,16 +109,17 @@ fn no_numbers(scene: &Scene) -> Vec<Case> {
     cases
 }
 
-/// Many particles in one cell, of a grid that wraps around: too far from each other to meet.
+/// Returns cases with many particles in one cell of a grid that wraps around. They are too far from each other to
+/// interact.
 fn crowded(scene: &Scene) -> Vec<Case> {
     let mut small = scene.clone();
     small.grid.cells = [3, 3, 3];
     let inverse_cell = small.check().map_or(0.0, |small| small.derived().parameters.inverse_cell[0]);
     let cell = 1.0 / inverse_cell;
-    // centres of cells that are one cell of the grid, and three cells apart
+    // centres of cells that are three cells apart and wrap to the same cell of the grid
     let along = |i: u16| cell * (0.5 + 3.0 * f32::from(i));
     let square = (0..CROWD).flat_map(|j| (0..CROWD).map(move |i| [i, j]));
-    // low down, where f32 sees the first step of a fall
+    // close to y = 0, so that f32 resolves the first step of the fall
     let square = square.map(|[i, j]| InitialParticle::at([along(i), 0.001 * cell, along(j)], [0.0; 3]));
     let crowd: Vec<InitialParticle> = square.collect();
     let mut lists = small.clone();
@@ -127,7 +129,7 @@ fn crowded(scene: &Scene) -> Vec<Case> {
         *error == SceneError::FirstStep(full)
     });
 
-    // three rest in a cell with as many places, a fourth flies in
+    // three particles are at rest in a cell of three places, and a fourth flies into it
     let mut three = scene.clone();
     three.gravity = Vec3::ZERO;
     three.model.near_pressure = NearPressure::Off;
@@ -143,6 +145,6 @@ fn crowded(scene: &Scene) -> Vec<Case> {
         Case::of_places("10^4 particles in a cell", &small, crowd.clone(), 1, End::Runs(Measure::Falls)),
         Case::of_places("10^4 particles in a cell of 16 places", &lists, crowd, 1, full),
         Case::of_places("a particle flies into a full cell", &three, flight.clone(), 20, fourth),
-        Case::of_places("the same by the index sort", &sorted, flight, 20, End::Runs(Measure::Finite)),
+        Case::of_places("a particle flies in, index sort", &sorted, flight, 20, End::Runs(Measure::Finite)),
     ]
 }

@@ -1,5 +1,5 @@
-//! Odd scenes: time steps, supports, viscosities and speeds of sound far off what anybody should choose, fluids of nothing,
-//! places where `f32` has no digits left.
+//! Unusual scenes: extreme time steps, supports, viscosities and speeds of sound, empty fluids, and positions at which
+//! f32 has too few digits.
 use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
 use glam::Vec3;
@@ -7,21 +7,22 @@ use millpond_core::backend::derive::support_radius;
 use millpond_core::scene::{Container, GridStructure, Scene, Viscosity, Wall, WallShape};
 use millpond_core::{Axis, SceneError, StepError};
 
-/// Particles of a case.
+/// Number of particles of a case.
 const PARTICLES: u64 = 200;
 
-/// Fewer than usual: they wrap around, and a device made of software looks at each of them in turn.
+/// Number of cells. There are fewer than usual, because the grid wraps anyway and a software GPU visits each cell in
+/// turn.
 pub(super) const CELLS: [u32; 3] = [8, 8, 8];
 
-/// Enough for what is going to explode to have done so.
+/// Number of steps, enough for an unstable scene to become visibly so.
 const STEPS: u32 = 120;
 
-/// The cases.
+/// Returns the cases.
 ///
 /// # Errors
 /// A built-in scene that cannot be read.
 pub fn cases() -> Result<Vec<Case>, Failure> {
-    // jitter and sums that are not 1 would put energy into the pressure at the start, and take it out again
+    // jitter and density sums other than 1 would store energy in the pressure at the start, and release it later
     let mut dam = built_in("dam-break-2d", PARTICLES)?;
     dam.grid.cells = CELLS;
     dam.model.normalize_mass = true;
@@ -70,7 +71,7 @@ fn time_steps(dam: &Scene) -> Vec<Case> {
 }
 
 fn supports(dam: &Scene) -> Vec<Case> {
-    // a tenth of a particle, and ten times the radius
+    // a tenth of a neighbour on average, and below a support radius that is ten times larger
     let alone = changed(dam, |s| {
         s.average_neighbours = 0.1;
         s.model.normalize_mass = false;
@@ -84,9 +85,9 @@ fn supports(dam: &Scene) -> Vec<Case> {
     );
     vec![
         Case::of_scene("a support radius below the spacing", alone.clone(), 100, End::Runs(Measure::Falls)),
-        Case::of_scene("the same, said to the user", alone, 1, End::Runs(Measure::Warned)),
+        Case::of_scene("the same support radius, warned of", alone, 1, End::Runs(Measure::Warned)),
         Case::of_scene("a support radius 10 times too large", wide, 10, End::Either(Measure::Honest)),
-        Case::of_scene("the same, in cells of 16 places", lists, 10, full),
+        Case::of_scene("this support radius, cells of 16 places", lists, 10, full),
     ]
 }
 
@@ -98,7 +99,7 @@ fn viscosities(dam: &Scene) -> Vec<Case> {
             let scene = changed(dam, |s| {
                 s.model.viscosity = viscosity;
                 s.fluids[0].dynamic_viscosity = mu;
-                // a lattice that falls as a whole has no velocities to reverse
+                // without jitter the block falls as a whole, and there are no velocity differences
                 s.blocks.iter_mut().for_each(|block| block.jitter = 0.1);
             });
             let name = format!("a viscosity of {mu:e} Pa s, {}", viscosity.name());
@@ -120,9 +121,9 @@ fn sound(dam: &Scene) -> Vec<Case> {
             s.time_step = time_step;
         })
     };
-    // the catalogue's X1: a quarter of what sound may come
+    // case X1 of the test catalogue: a quarter of the time that sound takes through half of the support radius
     let fitting = 0.25 * support_radius(dam) as f32 / 2.0 / 1500.0;
-    // X4: a drop that hits a wall as fast as its own sound
+    // case X4: a block that hits a wall at the speed of its own sound
     let mach_1 = changed(&with(50.0, 5e-5), |s| {
         for block in &mut s.blocks {
             block.corner[1] += 0.01;
@@ -146,7 +147,7 @@ fn sound(dam: &Scene) -> Vec<Case> {
     ]
 }
 
-/// Fluids of nothing, and walls without a fluid.
+/// Returns cases of empty or weightless fluids, and of walls without a fluid.
 fn nothing(dam: &Scene) -> Vec<Case> {
     let flat = changed(dam, |s| s.blocks.iter_mut().for_each(|block| block.size[1] = 0.0));
     let thin = changed(dam, |s| s.blocks.iter_mut().for_each(|block| block.size[1] = 0.4 * s.particle_spacing));
@@ -168,7 +169,7 @@ fn nothing(dam: &Scene) -> Vec<Case> {
     ]
 }
 
-/// A whole block far from the origin (the catalogue's X8).
+/// Returns cases of a block far from the origin (case X8 of the test catalogue).
 fn distances(dam: &Scene) -> Vec<Case> {
     let away = |x: f32| {
         changed(dam, |s| {

@@ -1,46 +1,48 @@
-//! Where a point of the world falls in the picture.
+//! The camera: projection of points onto the picture.
 
 use super::View;
 use glam::{Mat3, Vec2, Vec3};
 
-/// Distance between the eye and the picture, in picture heights: a lens of about 19 degrees, long enough that a box
-/// still looks like one.
+/// Distance between the eye and the picture plane, in picture heights. This is a field of view of about 19 degrees,
+/// narrow enough that a box still looks like one.
 const FOCAL_HEIGHTS: f32 = 3.0;
 
 /// Points nearer to the eye than this share of the distance to the target are not drawn.
 const NEAR: f32 = 0.05;
 
-/// The eye: turns metres into samples.
+/// A camera. It converts metres to samples.
 pub(super) struct Camera {
     /// Columns are the directions right, up and towards the eye.
     axes: Mat3,
     target: Vec3,
-    /// From the eye to the target, metres.
+    /// Distance from the eye to the target, metres.
     distance: f32,
-    /// Samples a metre at a depth of one metre (in perspective) or at every depth (without).
+    /// Samples per metre: at a depth of one metre in perspective, at every depth without.
     focal: f32,
     perspective: bool,
     /// Middle of the picture, samples.
     centre: Vec2,
-    /// Depths of the nearest and the farthest corner of the bounds.
+    /// Depths of the nearest and the farthest corner of the bounds, metres.
     span: [f32; 2],
 }
 
-/// A point of the world as the picture sees it.
+/// A projected point.
 #[derive(Clone, Copy)]
 pub(super) struct Spot {
-    /// Samples from the left and from the top.
+    /// Position in samples, from the left and from the top.
     pub at: Vec2,
     /// Distance from the eye along the line of sight, metres.
     pub depth: f32,
-    /// Samples that a metre takes at this depth.
+    /// Samples per metre at this depth.
     pub scale: f32,
 }
 
 impl Camera {
-    /// A camera for a picture of `width` x `height` samples that shows all of `bounds` inside of `margin`.
+    /// Returns a camera for a picture of `width` x `height` samples that shows all of `bounds`, with a margin of
+    /// `margin` samples.
     pub(super) fn new(view: &View, bounds: [Vec3; 2], width: f32, height: f32, margin: f32) -> Self {
-        // Bounds come from a scene file or from particles that may have flown apart: a bad box becomes a unit box.
+        // Bounds come from a scene file or from particles that may have flown apart, so invalid bounds become a unit
+        // box.
         let sound = bounds.iter().all(|corner| corner.is_finite()) && bounds[0] != bounds[1];
         let bounds = if sound { bounds } else { [Vec3::ZERO, Vec3::ONE] };
         let (target, half) = (bounds[0].midpoint(bounds[1]), (bounds[1] - bounds[0]).abs() * 0.5);
@@ -55,7 +57,8 @@ impl Camera {
 
         let room = Vec2::new(width * 0.5 - margin, height * 0.5 - margin).max(Vec2::splat(1.0));
         let corners = [0, 1, 2, 3, 4, 5, 6, 7].map(|i| axes.transpose() * corner([-half, half], i));
-        // A corner (x, y, z) is in the picture where focal * |x| / (distance - z) is at most the room, and so for y.
+        // A corner (x, y, z) is visible if focal * |x| / (distance - z) is at most half of the width inside the margin,
+        // and the same for y and the height.
         let long = height * FOCAL_HEIGHTS;
         let fits = |c: Vec3| (Vec2::new(c.x, c.y).abs() / room).max_element();
         let radius = half.length();
@@ -71,7 +74,7 @@ impl Camera {
         Self { axes, target, distance, focal, perspective, centre: Vec2::new(width, height) * 0.5, span }
     }
 
-    /// Where `point` falls; none for a point that is not finite, or is behind the eye or very near to it.
+    /// Projects a point; `None` if it is not finite, behind the eye or very close to the eye.
     pub(super) fn spot(&self, point: Vec3) -> Option<Spot> {
         let seen = self.axes.transpose() * (point - self.target);
         let depth = self.distance - seen.z;
@@ -82,32 +85,33 @@ impl Camera {
         Some(Spot { at: self.centre + Vec2::new(seen.x, -seen.y) * scale, depth, scale })
     }
 
-    /// Samples that a metre takes at `depth`.
+    /// Returns the samples per metre at `depth`.
     pub(super) fn scale_at(&self, depth: f32) -> f32 {
         if self.perspective { self.focal / depth } else { self.focal }
     }
 
-    /// The line of sight through a sample: where it starts, and its direction. None without perspective, where all
-    /// lines of sight are parallel and no floor is seen.
+    /// Returns the line of sight through a sample: its origin and its direction. Returns `None` without perspective,
+    /// where all lines of sight are parallel and the floor is not visible.
     pub(super) fn sight(&self, at: Vec2) -> Option<(Vec3, Vec3)> {
         let offset = (at - self.centre) / self.focal;
         let eye = self.target + self.axes.z_axis * self.distance;
         self.perspective.then(|| (eye, self.axes * Vec3::new(offset.x, -offset.y, -1.0)))
     }
 
-    /// How far back in the bounds `depth` lies: 0 at the nearest corner, 1 at the farthest.
+    /// Returns how far back in the bounds `depth` lies: 0 at the nearest corner, 1 at the farthest.
     pub(super) fn recession(&self, depth: f32) -> f32 {
         let [near, far] = self.span;
         ((depth - near) / (far - near).max(f32::MIN_POSITIVE)).clamp(0.0, 1.0)
     }
 }
 
-/// Corner number `i`, 0 to 7, of the box between two points: bit k of `i` picks the point that gives coordinate k.
+/// Returns corner number `i`, 0 to 7, of the box between two points: bit k of `i` selects the point that gives
+/// coordinate k.
 pub(super) fn corner(ends: [Vec3; 2], i: usize) -> Vec3 {
     Vec3::new(ends[i & 1].x, ends[i >> 1 & 1].y, ends[i >> 2 & 1].z)
 }
 
-/// Degrees in radians; an angle that is not finite counts as none.
+/// Converts degrees to radians. An angle that is not finite becomes 0.
 fn angle(degrees: f32) -> f32 {
     if degrees.is_finite() { degrees.to_radians() } else { 0.0 }
 }

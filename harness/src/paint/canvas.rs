@@ -1,4 +1,4 @@
-//! The finished picture, and the file that it becomes.
+//! The finished picture, and writing it as a PNG file.
 
 use std::ffi::OsString;
 use std::io::{Error, ErrorKind, Result};
@@ -14,24 +14,24 @@ pub struct Canvas {
 }
 
 impl Canvas {
-    /// A picture of bytes that are already there, three to a pixel.
+    /// Returns a picture of the given bytes, three per pixel.
     pub(super) fn new(width: u32, height: u32, bytes: Vec<u8>) -> Self {
         Self { width, height, bytes }
     }
 
-    /// Pixels across.
+    /// Width, pixels.
     #[must_use]
     pub fn width(&self) -> u32 {
         self.width
     }
 
-    /// Pixels down.
+    /// Height, pixels.
     #[must_use]
     pub fn height(&self) -> u32 {
         self.height
     }
 
-    /// Red, green and blue of the pixel `x` from the left and `y` from the top; none outside of the picture.
+    /// Returns red, green and blue of the pixel `x` from the left and `y` from the top; `None` outside of the picture.
     #[must_use]
     pub fn pixel(&self, x: u32, y: u32) -> Option<[u8; 3]> {
         if x >= self.width {
@@ -41,7 +41,7 @@ impl Canvas {
         self.bytes.get(start..)?.first_chunk().copied()
     }
 
-    /// Fills a rectangle; what lies outside of the picture is left away.
+    /// Fills a rectangle, clipped to the picture.
     pub(super) fn fill(&mut self, [x, y]: [i32; 2], [wide, high]: [i32; 2], colour: [u8; 3]) {
         let (width, height) = (self.width as i32, self.height as i32);
         let [left, right] = [x, x + wide].map(|x| x.clamp(0, width) as usize * 3);
@@ -55,12 +55,12 @@ impl Canvas {
 
     /// Writes the picture as a PNG file.
     ///
-    /// The bytes go to a file beside it that is then renamed, so that nobody ever reads half a picture: a program that
-    /// shows the newest frame of a run may watch the path.
+    /// The bytes go to a temporary file next to it that is then renamed, so that no reader sees a partial picture:
+    /// another program may watch the path to show the latest frame of a run.
     ///
     /// # Errors
     ///
-    /// If the path names no file, or the file cannot be written; the message says which path.
+    /// If the path has no file name, or the file cannot be written. The message contains the path.
     pub fn write_png(&self, path: &Path) -> Result<()> {
         let told = |error: Error| Error::new(error.kind(), format!("cannot write picture {}: {error}", path.display()));
         let name = path.file_name().ok_or_else(|| told(Error::new(ErrorKind::InvalidInput, "no file name")))?;
@@ -70,12 +70,12 @@ impl Canvas {
 
         let bytes = self.encode().map_err(told)?;
         std::fs::write(&part, bytes).and_then(|()| std::fs::rename(&part, path)).map_err(|error| {
-            let _ = std::fs::remove_file(&part); // the first error is the one to tell
+            let _ = std::fs::remove_file(&part); // the first error is the one to report
             told(error)
         })
     }
 
-    /// The bytes of the PNG file.
+    /// Returns the bytes of the PNG file.
     fn encode(&self) -> Result<Vec<u8>> {
         let mut file = Vec::new();
         let mut encoder = png::Encoder::new(&mut file, self.width, self.height);

@@ -1,49 +1,50 @@
-//! Colours: the map from a number to a colour of water, the palette of what comes in kinds, and the way between light
-//! and bytes.
+//! Colours: the colour map for numbers, the palette for categories, and conversion between linear light and sRGB bytes.
 //!
-//! Colours are mixed and lit as linear light, a `Vec3` of red, green and blue from 0 to 1, and become sRGB bytes last.
+//! Colours are mixed and lit as linear light, a `Vec3` of red, green and blue from 0 to 1, and converted to sRGB bytes
+//! last.
 
 use glam::Vec3;
 
-/// Deep blue, blue, cyan, pale cyan, white: steps of the water map in sRGB.
+/// Nodes of the colour map in sRGB, from deep blue through blue, cyan and pale cyan to white.
 const WATER: [u32; 6] = [0x0d_2b78, 0x12_52ad, 0x10_87cf, 0x30_bfe3, 0x98_e6ef, 0xff_ffff];
 
-/// Colours that tell kinds from each other, water's blue first: after Okabe and Ito 2008, so that who sees no red or no
-/// green tells them apart as well.
+/// Palette for categories, the blue of water first. It follows Okabe and Ito 2008, so that colour-blind readers can
+/// distinguish the colours.
 const PALETTE: [u32; 8] = [0x14_72c0, 0xe6_9f00, 0x00_9e73, 0xcc_79a7, 0x56_b4e9, 0xd5_5e00, 0xf0_e442, 0x4a_5560];
 
-/// Drawn where there is no sound number to map, or no such kind: no other colour is near to it.
+/// Colour of a particle without a valid number or category. No other colour is similar to it.
 const BROKEN: u32 = 0xd6_1f8d;
 
-/// What only stands around.
+/// Colour of walls.
 const WALL: u32 = 0xb9_c1c8;
 
-/// Entries of a colour map.
+/// Number of entries of a colour map.
 const ENTRIES: usize = 256;
 
-/// What gives the particles of a picture their colours, and what the legend says of them.
+/// Colours of the particles of a picture, and the contents of the legend.
 #[derive(Clone, Debug)]
 pub enum Colouring {
-    /// A number each (speed in m/s, or density in kg/m3), dark to light like water.
+    /// A number per particle (speed in m/s, or density in kg/m3), mapped from dark to light blue.
     Numbers {
-        /// The numbers. A particle whose number is missing or not finite is drawn magenta, which the map does not hold.
+        /// The numbers. A particle whose number is missing or not finite is drawn in magenta, which the colour map does
+        /// not contain.
         of: Vec<f32>,
-        /// Value at the two ends of the colour map.
+        /// Values at the two ends of the colour map.
         range: [f32; 2],
         /// Label of the colour bar, such as "speed, m/s".
         label: &'static str,
     },
-    /// Which of a few kinds each is of.
+    /// A category per particle.
     Kinds {
-        /// Places in the key. A particle whose kind is missing there, or here, is drawn magenta.
+        /// Indices into `key`. A particle without a valid index is drawn in magenta.
         of: Vec<u32>,
-        /// The kinds, all of which the legend shows.
+        /// The categories, all of which are shown in the legend.
         key: Vec<Swatch>,
     },
 }
 
 impl Colouring {
-    /// Colours of the first `count` particles.
+    /// Returns the colours of the first `count` particles.
     pub(super) fn lights(&self, count: usize) -> Vec<Vec3> {
         match self {
             Colouring::Numbers { of, range, .. } => {
@@ -59,7 +60,7 @@ impl Colouring {
     }
 }
 
-/// A colour of the legend and what it stands for.
+/// A category: its name and its colour in the legend.
 #[derive(Clone, Debug)]
 pub struct Swatch {
     name: String,
@@ -67,39 +68,41 @@ pub struct Swatch {
 }
 
 impl Swatch {
-    /// Of a kind by its number: with `colour` (sRGB from 0 to 1), or with one of the palette, whose eight come round.
+    /// Returns the category with this number. Its colour is `colour` (sRGB from 0 to 1) or, if there is none, an entry
+    /// of the palette, whose eight colours repeat.
     #[must_use]
     pub fn new(name: String, number: usize, colour: Option<[f32; 3]>) -> Self {
         let light = colour.map_or(from_srgb(PALETTE[number % PALETTE.len()]), |parts| Vec3::from(parts.map(linear)));
         Self { name, light }
     }
 
-    /// What it stands for.
+    /// Name of the category.
     pub(super) fn name(&self) -> &str {
         &self.name
     }
 
-    /// Its colour.
+    /// Colour of the category.
     pub(super) fn light(&self) -> Vec3 {
         self.light
     }
 }
 
-/// The quiet grey of walls.
+/// Returns the pale grey of walls.
 pub(super) fn wall() -> Vec3 {
     from_srgb(WALL)
 }
 
-/// A colour for every number between two ends.
+/// A colour map over a range of numbers.
 pub(super) struct ColourMap {
     range: [f32; 2],
     entries: Vec<Vec3>,
 }
 
 impl ColourMap {
-    /// The map for water, dark to light over `range`.
+    /// Returns the colour map for water, dark to light over `range`.
     ///
-    /// The steps are laid out by their own lightness, so that equal steps of the number are equal steps to the eye.
+    /// Its entries are evenly spaced in lightness, so that equal differences of the number look like equal differences
+    /// of colour.
     pub(super) fn water(range: [f32; 2]) -> Self {
         let steps = WATER.map(|hex| to_oklab(from_srgb(hex)));
         let (dark, light) = (steps[0].x, steps[WATER.len() - 1].x);
@@ -112,7 +115,7 @@ impl ColourMap {
         Self { range, entries: (0..ENTRIES).map(entry).collect() }
     }
 
-    /// The colour of `value`; values past the ends take the colour of the end.
+    /// Returns the colour of `value`. Values outside of the range have the colour of the nearest end.
     pub(super) fn at(&self, value: f32) -> Vec3 {
         let [low, high] = self.range;
         let share = (value - low) / (high - low);
@@ -123,34 +126,36 @@ impl ColourMap {
         }
     }
 
-    /// The colour `share` of the way along the map.
+    /// Returns the colour at `share` of the length of the map, 0 to 1.
     pub(super) fn along(&self, share: f32) -> Vec3 {
         let last = self.entries.len() - 1;
         self.entries[(share.clamp(0.0, 1.0) * last as f32 + 0.5) as usize]
     }
 }
 
-/// Linear light of an sRGB colour written as `0xRRGGBB`.
+/// Converts an sRGB colour written as `0xRRGGBB` to linear light.
 pub(super) fn from_srgb(hex: u32) -> Vec3 {
     let part = |shift: u32| linear((hex >> shift & 0xff) as f32 / 255.0);
     Vec3::new(part(16), part(8), part(0))
 }
 
-/// Linear light of one part of an sRGB colour, 0 to 1.
+/// Converts one component of an sRGB colour, 0 to 1, to linear light.
 fn linear(part: f32) -> f32 {
     if part <= 0.04045 { part / 12.92 } else { ((part + 0.055) / 1.055).powf(2.4) }
 }
 
-/// Turns linear light into sRGB bytes by table: a power a channel of every pixel would cost more than the lighting.
+/// Converts linear light to sRGB bytes by a table. Computing a power for each channel of each pixel would take longer
+/// than the lighting.
 pub(super) struct Encoder {
     table: Vec<u8>,
 }
 
 impl Encoder {
-    /// Steps of light. The curve is steepest at black, where one step is still less than one byte value.
+    /// Number of entries. The curve is steepest at black, where one entry still differs from the next by less than one
+    /// byte value.
     const STEPS: usize = 4096;
 
-    /// Fills the table.
+    /// Returns a filled table.
     pub(super) fn new() -> Self {
         let byte = |i: usize| {
             let light = i as f32 / (Self::STEPS - 1) as f32;
@@ -160,13 +165,14 @@ impl Encoder {
         Self { table: (0..Self::STEPS).map(byte).collect() }
     }
 
-    /// The bytes of a colour; light past white is white.
+    /// Converts a colour to bytes. Light above 1 becomes white.
     pub(super) fn bytes(&self, light: Vec3) -> [u8; 3] {
         light.to_array().map(|part| self.table[(part.clamp(0.0, 1.0) * (Self::STEPS - 1) as f32 + 0.5) as usize])
     }
 }
 
-/// Linear light to Oklab (lightness, green-red, blue-yellow), a space in which equal distances look equal.
+/// Converts linear light to Oklab (lightness, green-red, blue-yellow), a colour space in which equal distances look
+/// equal.
 fn to_oklab(light: Vec3) -> Vec3 {
     let cone = |r, g, b| light.dot(Vec3::new(r, g, b)).cbrt();
     let cones = Vec3::new(
@@ -181,7 +187,7 @@ fn to_oklab(light: Vec3) -> Vec3 {
     )
 }
 
-/// The way back from [`to_oklab`].
+/// Converts Oklab to linear light, the inverse of [`to_oklab`].
 fn from_oklab(lab: Vec3) -> Vec3 {
     let cone = |a, b| lab.dot(Vec3::new(1.0, a, b)).powi(3);
     let cones = Vec3::new(

@@ -1,7 +1,7 @@
-//! The rasteriser: which sphere is nearest at every sample.
+//! The rasteriser: finds the nearest sphere at every sample.
 //!
-//! A sphere is drawn as the disc that it covers, with the depth of the sphere's own surface at each sample, so that
-//! two spheres that overlap meet in a clean seam.
+//! A sphere is drawn as a disc, with the depth of the sphere's surface at each sample, so that two overlapping spheres
+//! intersect in a clean line.
 
 use super::Frame;
 use super::camera::Camera;
@@ -9,15 +9,15 @@ use super::colour::wall;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
-/// Least radius of a disc, samples: below it a far particle would fall between the samples and flicker.
+/// Smallest radius of a disc, samples. Smaller discs would miss all samples at times and flicker.
 const LEAST_RADIUS: f32 = 1.2;
 
-/// Rows that one task draws.
+/// Number of rows per parallel task.
 const BAND: usize = 32;
 
-/// A particle as the picture sees it.
+/// A projected particle.
 pub(super) struct Disc {
-    /// Middle of the disc, samples.
+    /// Centre of the disc, samples.
     pub at: Vec2,
     /// Radius of the disc, samples.
     pub radius: f32,
@@ -25,14 +25,14 @@ pub(super) struct Disc {
     pub depth: f32,
     /// Radius of the sphere, metres.
     pub bulge: f32,
-    /// Colour before any light falls on it.
+    /// Colour without lighting.
     pub colour: Vec3,
 }
 
 impl Disc {
-    /// The particles of `frame` that can be seen, those of walls too, nearest first.
+    /// Projects the visible particles of `frame`, wall particles included, and sorts them, nearest first.
     ///
-    /// That order lets most samples of a hidden sphere be turned down by one comparison.
+    /// In this order most samples of a hidden sphere are rejected by one comparison.
     pub(super) fn project(frame: &Frame, camera: &Camera) -> Vec<Self> {
         let bulge = if frame.radius.is_finite() { frame.radius.max(0.0) } else { 0.0 };
         let disc = |(&[x, y, z, _], colour): (&[f32; 4], Vec3)| {
@@ -47,26 +47,26 @@ impl Disc {
         discs
     }
 
-    /// Direction from the sphere's centre to its surface at a sample: right, up and towards the eye.
+    /// Returns the surface normal of the sphere at a sample: right, up and towards the eye.
     pub(super) fn normal(&self, at: Vec2) -> Vec3 {
         let offset = (at - self.at) / self.radius;
         Vec3::new(offset.x, -offset.y, (1.0 - offset.length_squared()).max(0.0).sqrt())
     }
 }
 
-/// What one sample shows.
+/// The contents of one sample.
 #[derive(Clone, Copy)]
 pub(super) struct Sample {
-    /// Depth of the surface, metres; infinite where there is none.
+    /// Depth of the surface, metres; infinite if there is no surface.
     pub depth: f32,
-    /// Index of the disc, or [`Sample::EDGE`], or [`Sample::NOTHING`].
+    /// Index of the disc, [`Sample::EDGE`] or [`Sample::NOTHING`].
     pub disc: u32,
 }
 
 impl Sample {
-    /// Shows an edge of the container.
+    /// The sample shows an edge of the container.
     pub(super) const EDGE: u32 = u32::MAX - 1;
-    /// Shows the background.
+    /// The sample shows the background.
     pub(super) const NOTHING: u32 = u32::MAX;
 }
 
@@ -78,28 +78,28 @@ pub(super) struct Layer {
 }
 
 impl Layer {
-    /// A layer that shows nothing.
+    /// Returns a layer without any surface.
     pub(super) fn new(width: usize, height: usize) -> Self {
         Self { width, height, samples: vec![Sample { depth: f32::INFINITY, disc: Sample::NOTHING }; width * height] }
     }
 
-    /// Samples across.
+    /// Width, samples.
     pub(super) fn width(&self) -> usize {
         self.width
     }
 
-    /// Samples down.
+    /// Height, samples.
     pub(super) fn height(&self) -> usize {
         self.height
     }
 
-    /// The sample at a place, which is held to the picture.
+    /// Returns the sample at a position, which is clamped to the picture.
     pub(super) fn sample(&self, x: isize, y: isize) -> Sample {
         let (x, y) = (x.clamp(0, self.width as isize - 1), y.clamp(0, self.height as isize - 1));
         self.samples[y as usize * self.width + x as usize]
     }
 
-    /// Draws the spheres; where several cover a sample the nearest is kept, the first of equals.
+    /// Draws spheres. Of several spheres that cover a sample the nearest is kept, and of equally near ones the first.
     pub(super) fn draw_discs(&mut self, discs: &[Disc]) {
         let width = self.width;
         self.samples.par_chunks_mut(BAND * width).enumerate().for_each(|(band, samples)| {
@@ -113,9 +113,9 @@ impl Layer {
         });
     }
 
-    /// Draws one dot of an edge: a small flat square at `at`, where nothing nearer is.
+    /// Draws one dot of an edge, a small flat square around `at`, wherever nothing is nearer.
     pub(super) fn draw_dot(&mut self, at: Vec2, half: f32, depth: f32) {
-        // A level edge may lie just between two rows, where rounding noise would make a dotted line of it.
+        // A horizontal edge may lie just between two rows, where rounding errors would turn it into a dotted line.
         let steady = (at * 64.0).round() / 64.0;
         let [columns, rows] = [(steady.x, self.width), (steady.y, self.height)].map(|(at, n)| covered(at, half, n));
         for row in rows {
@@ -128,7 +128,7 @@ impl Layer {
     }
 }
 
-/// Draws one sphere into the rows of a band that starts `top` rows down the picture.
+/// Draws one sphere into a band of rows, the first of which is row `top` of the picture.
 fn draw_disc(samples: &mut [Sample], width: usize, top: f32, disc: &Disc, index: u32) {
     let front = disc.depth - disc.bulge;
     let steepness = disc.radius.recip();
@@ -149,9 +149,9 @@ fn draw_disc(samples: &mut [Sample], width: usize, top: f32, disc: &Disc, index:
     }
 }
 
-/// The samples, of a row or column of `size`, whose middles lie within `reach` of `at`.
+/// Returns the samples of a row or column of `size` samples whose centres lie within `reach` of `at`.
 fn covered(at: f32, reach: f32, size: usize) -> std::ops::Range<usize> {
-    let end = ((at + reach + 0.5).max(0.0) as usize).min(size); // casts saturate, so a place far outside is no trouble
+    let end = ((at + reach + 0.5).max(0.0) as usize).min(size); // casts saturate, so far positions are safe
     let start = ((at - reach + 0.5).max(0.0) as usize).min(end);
     start..end
 }

@@ -1,7 +1,8 @@
-//! The lighting: from samples to the colours of pixels.
+//! The lighting: computes the colours of pixels from samples.
 //!
-//! A sphere is lit from above, which shows the particle. What shows the wave is the relief: the depths on rings
-//! around a particle say which way the water's surface leans there and whether something nearer shades it.
+//! A sphere is lit from above, which makes the single particle visible. The relief makes the shape of the water
+//! visible: the depths on rings around a particle give the slope of the water surface there and whether nearer water
+//! shades it.
 
 use super::SUPERSAMPLING;
 use super::camera::Camera;
@@ -12,13 +13,13 @@ use super::tank::Floor;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
-/// Where the light comes from: right, up and towards the eye.
+/// Direction towards the light: right, up and towards the eye.
 const SUN: Vec3 = Vec3::new(-0.45, 0.70, 0.555);
 
-/// Radii of the rings that the relief is read from, in radii of the particle.
+/// Radii of the rings on which the relief is sampled, in particle radii.
 const RINGS: [f32; 2] = [2.6, 4.4];
 
-/// Directions on a ring.
+/// Directions to the samples on a ring.
 const AROUND: [Vec2; 8] = {
     const D: f32 = std::f32::consts::FRAC_1_SQRT_2;
     [
@@ -33,7 +34,7 @@ const AROUND: [Vec2; 8] = {
     ]
 };
 
-/// Lights the samples of `layer` and averages them into the pixels of a picture.
+/// Computes the colours of the samples of `layer` and averages them into pixels.
 pub(super) fn expose(layer: &Layer, discs: &[Disc], camera: &Camera, floor: Option<&Floor>) -> Canvas {
     let side = SUPERSAMPLING as usize;
     let (width, height) = (layer.width() / side, layer.height() / side);
@@ -49,7 +50,7 @@ pub(super) fn expose(layer: &Layer, discs: &[Disc], camera: &Camera, floor: Opti
     Canvas::new(width as u32, height as u32, bytes)
 }
 
-/// All that the colour of a sample depends on.
+/// Everything that the colour of a sample depends on.
 struct Studio<'a> {
     layer: &'a Layer,
     discs: &'a [Disc],
@@ -79,7 +80,7 @@ impl<'a> Studio<'a> {
         }
     }
 
-    /// Colour of one sample.
+    /// Returns the colour of one sample.
     fn light(&self, x: usize, y: usize) -> Vec3 {
         let sample = self.layer.sample(x as isize, y as isize);
         let at = Vec2::new(x as f32, y as f32) + 0.5;
@@ -91,7 +92,7 @@ impl<'a> Studio<'a> {
         }
     }
 
-    /// Colour where no particle is: the floor, or a sky that is lighter above.
+    /// Returns the colour of the background: the floor, or a sky that is lighter at the top.
     fn behind(&self, at: Vec2) -> Vec3 {
         match self.floor.and_then(|floor| floor.shadow(self.camera, at)) {
             Some(shadow) => self.ground[0].lerp(self.ground[1], shadow),
@@ -99,7 +100,7 @@ impl<'a> Studio<'a> {
         }
     }
 
-    /// Colour of a particle.
+    /// Returns the colour of a particle at a sample.
     fn water(&self, disc: &Disc, relief: &Relief, at: Vec2) -> Vec3 {
         let bead = disc.normal(at);
         let normal = (bead * 0.55 + relief.lean).normalize_or_zero();
@@ -113,21 +114,22 @@ impl<'a> Studio<'a> {
     }
 }
 
-/// The shape of the water around a particle.
+/// The shape of the water surface around a particle.
 ///
-/// Read once a particle, not once a sample: a sphere half in a shadow would look like two.
+/// It is computed once per particle and not once per sample, since a sphere that is partly in shadow would look like
+/// two.
 struct Relief {
-    /// Which way the surface faces: right, up and towards the eye.
+    /// Normal of the water surface: right, up and towards the eye.
     lean: Vec3,
-    /// Share of the light that nearer water takes, 0 to 1.
+    /// Share of the light that nearer water blocks, 0 to 1.
     shade: f32,
 }
 
 impl Relief {
-    /// Reads the depths on the rings around a particle. No water there counts as a steep fall, so that the water is
-    /// rounded towards its outline; an edge of the container counts as level.
+    /// Samples the depths on the rings around a particle. Background counts as a steep fall, which rounds the water
+    /// towards its outline; an edge of the container counts as level.
     fn new(layer: &Layer, disc: &Disc, camera: &Camera) -> Self {
-        let surface = disc.depth - 0.7 * disc.bulge; // the mean over the disc, as on the rings
+        let surface = disc.depth - 0.7 * disc.bulge; // mean over the disc, comparable with the ring samples
         let (mut lean, mut shade) = (Vec2::ZERO, 0.0);
         for (direction, radii) in RINGS.into_iter().flat_map(|radii| AROUND.map(|direction| (direction, radii))) {
             let reach = (radii * disc.radius).max(2.0);

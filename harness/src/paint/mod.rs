@@ -1,15 +1,15 @@
-//! A small software painter: a cloud of particles in, a picture out.
+//! A small software renderer that draws particles.
 //!
-//! Every particle is drawn as a lit sphere. The work is done in three passes, none of which needs a GPU:
+//! Every particle is drawn as a lit sphere, in three passes without a GPU:
 //!
-//! 1. `camera` puts the particles into the picture and `discs` finds, for every sample, the nearest sphere there;
-//!    `tank` adds the edges of the container to the same depth buffer.
-//! 2. `light` colours each sample from the sphere it shows and from the depths around it, so that the large shape of
-//!    the water is seen as well as the single particle, and averages a square of samples into a pixel.
-//! 3. `text` writes the caption and the legend over the finished [`Canvas`], which saves itself as PNG.
+//! 1. `camera` projects the particles, and `discs` finds the nearest sphere at every sample; `tank` adds the edges of
+//!    the container to the same depth buffer.
+//! 2. `light` computes the colour of each sample from its sphere and from the depths around it, so that the large shape
+//!    of the water is visible as well as the single particle. It averages a square of samples into a pixel.
+//! 3. `text` draws the caption and the legend on the finished [`Canvas`], which can be saved as PNG.
 //!
-//! The same input gives the same bytes, however many threads share the work: a thread owns whole rows, and within a
-//! row the particles are always met in the same order.
+//! The same input gives the same bytes with any number of threads: each thread owns whole rows, and in a row the
+//! particles are always drawn in the same order.
 
 mod camera;
 mod canvas;
@@ -29,27 +29,28 @@ use tank::Floor;
 /// Samples along one side of a pixel.
 const SUPERSAMPLING: u32 = 2;
 
-/// Largest side of a picture, pixels: the samples of a larger one would not fit into an ordinary machine's memory.
+/// Largest width and height of a picture, pixels. The samples of a larger picture would not fit into the memory of an
+/// ordinary machine.
 const MAX_SIDE: u32 = 8192;
 
-/// What one picture shows.
+/// The contents of a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a> {
-    /// Positions, xyz in metres with y up, w ignored. A position that is not finite is not drawn.
+    /// Positions, xyz in metres with y up; w is ignored. Positions that are not finite are not drawn.
     pub positions: &'a [[f32; 4]],
-    /// Their colours.
+    /// Colours of the particles.
     pub colouring: &'a Colouring,
-    /// Positions of what only stands around: drawn as large, in a quiet grey.
+    /// Positions of wall particles, drawn with the same radius in pale grey.
     pub walls: &'a [[f32; 4]],
     /// Drawn radius of a particle, metres.
     pub radius: f32,
     /// Opposite corners of the container to outline, if any.
     pub container: Option<[Vec3; 2]>,
-    /// A caption in the picture's corner, such as "t = 0.50 s   speed 0 .. 4 m/s"; may have several lines.
+    /// Caption in the upper left corner, such as "t = 0.50 s   speed 0 .. 4 m/s"; may have several lines.
     pub caption: &'a str,
 }
 
-/// Where the picture is taken from.
+/// Point of view of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum View {
     /// Straight along -z without perspective, for flow in the xy plane.
@@ -63,10 +64,10 @@ pub enum View {
     },
 }
 
-/// Draws `frame` as seen by `view`, framing the box `bounds`; picture of `width` x `height` pixels.
+/// Draws `frame` as seen by `view` in a picture of `width` x `height` pixels that shows the box `bounds`.
 ///
-/// The middle of `bounds` is the middle of the picture, and all of the box is in it. Sides are held between 1 and 8192
-/// pixels.
+/// The middle of `bounds` is the middle of the picture, and all of the box is visible. Width and height are clamped to
+/// 1 to 8192 pixels.
 #[must_use]
 pub fn paint(frame: &Frame, view: &View, bounds: [Vec3; 2], width: u32, height: u32) -> Canvas {
     let (width, height) = (width.clamp(1, MAX_SIDE), height.clamp(1, MAX_SIDE));
@@ -101,7 +102,7 @@ mod tests {
         Colouring::Numbers { of: of.to_vec(), range: [0.0, 1.0], label: "" }
     }
 
-    /// How much darker a pixel is than the background.
+    /// Returns how much darker a pixel is than the background.
     fn darkness(canvas: &Canvas, x: u32, y: u32) -> i32 {
         let sum = |pixel: [u8; 3]| pixel.map(i32::from).iter().sum::<i32>();
         let [corner, here] = [(0, 0), (x, y)].map(|(x, y)| canvas.pixel(x, y).map_or(0, sum));
@@ -110,7 +111,7 @@ mod tests {
 
     #[test]
     fn nearer_disc_hides_the_farther_one_in_any_order() {
-        // Seen level from +x, the slow particle (deep blue) stands in front of the fast one (white), then behind it.
+        // Seen horizontally from +x, the slow particle (deep blue) is in front of the fast one (white), then behind it.
         let view = View::Orbit { yaw_degrees: 90.0, pitch_degrees: 0.0 };
         let (near, far) = ([0.5, 1.0, 0.0, 0.0], [-0.5, 1.0, 0.0, 0.0]);
         let middle = |positions: &[[f32; 4]], shade: &[f32]| {

@@ -1,21 +1,21 @@
-//! The container: its edges, drawn with depth so that water stands in front of the back ones, and its floor, with the
-//! soft shadow that the water throws straight down on it.
+//! The container: its edges, drawn with depth so that water hides those behind it, and its floor, with the soft shadow
+//! of the water straight above.
 
 use super::Frame;
 use super::camera::{Camera, corner};
 use super::discs::Layer;
 use glam::{Vec2, Vec3};
 
-/// Width of an edge, as a share of the picture's height.
+/// Width of an edge, as a share of the picture height.
 const WIDTH: f32 = 0.0028;
 
-/// Most dots to an edge: enough to cross the largest picture without gaps.
+/// Largest number of dots per edge, enough to cross the largest picture without gaps.
 const MOST_DOTS: f32 = 40_000.0;
 
-/// Cells along each side of the shadow.
+/// Number of cells along each side of the shadow map.
 const CELLS: usize = 96;
 
-/// Passes of the blur that softens the shadow.
+/// Number of passes of the blur that softens the shadow.
 const BLURS: usize = 6;
 
 /// Draws the twelve edges of the box between two corners.
@@ -27,10 +27,10 @@ pub(super) fn outline(layer: &mut Layer, camera: &Camera, corners: [Vec3; 2]) {
     }
 }
 
-/// Draws one edge as a row of dots, each put into the picture by itself: slower than stepping along the drawn line,
-/// and right in every view without a word about perspective.
+/// Draws one edge as a row of dots that are projected one by one. This is slower than drawing a projected line, but
+/// needs no special case for perspective.
 fn edge(layer: &mut Layer, camera: &Camera, a: Vec3, b: Vec3) {
-    // A whole number of samples: any other width would come and go along a slanting edge.
+    // The width is a whole number of samples, since any other width would vary along a slanted edge.
     let half = 0.5 * (WIDTH * layer.height() as f32).round().max(2.0);
     let scale = [a, b].into_iter().filter_map(|end| camera.spot(end)).map(|spot| spot.scale).fold(0.0, f32::max);
     let dots = (a.distance(b) * scale).clamp(1.0, MOST_DOTS).ceil();
@@ -41,7 +41,7 @@ fn edge(layer: &mut Layer, camera: &Camera, a: Vec3, b: Vec3) {
     }
 }
 
-/// The floor, and how much of the sky each part of it sees.
+/// The floor and its shadow map.
 pub(super) struct Floor {
     low: Vec3,
     size: Vec2,
@@ -49,7 +49,7 @@ pub(super) struct Floor {
 }
 
 impl Floor {
-    /// The floor of a container; none where it would not be seen from above.
+    /// Returns the floor of a container; `None` if it is not visible from above.
     pub(super) fn new(camera: &Camera, corners: [Vec3; 2], frame: &Frame) -> Option<Self> {
         let (low, high) = (corners[0].min(corners[1]), corners[0].max(corners[1]));
         let size = Vec2::new(high.x - low.x, high.z - low.z);
@@ -66,12 +66,13 @@ impl Floor {
             }
         }
         (0..BLURS).for_each(|_| floor.blur());
-        // What one layer of spheres lets through, the next dims again.
+        // Each layer of spheres blocks a share of the light that the layers above it let through.
         floor.shadow.iter_mut().for_each(|cover| *cover = 1.0 - (-cover.max(0.0)).exp());
         Some(floor)
     }
 
-    /// How dark the floor is in the line of sight through a sample, 0 to 1; none past its edge.
+    /// Returns how dark the floor is where the line of sight through a sample meets it, 0 to 1; `None` outside of the
+    /// floor.
     pub(super) fn shadow(&self, camera: &Camera, at: Vec2) -> Option<f32> {
         let (eye, sight) = camera.sight(at)?;
         let reach = (self.low.y - eye.y) / sight.y;
@@ -79,7 +80,7 @@ impl Floor {
         self.shadow.get(cell).copied()
     }
 
-    /// The cell under `point`; none for a point that is not above the floor.
+    /// Returns the cell below `point`; `None` for a point that is not above the floor.
     fn cell(&self, point: Vec3) -> Option<usize> {
         let place = Vec2::new(point.x - self.low.x, point.z - self.low.z) / self.size;
         let inside = place.cmpge(Vec2::ZERO).all() && place.cmple(Vec2::ONE).all();

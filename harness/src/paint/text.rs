@@ -1,4 +1,4 @@
-//! The words of a picture: a font of 5 x 7 dots and tails, the caption and the legend.
+//! The text in a picture: a font of 5 x 7 dots plus one row for descenders, the caption and the legend.
 #![expect(clippy::unreadable_literal, reason = "a glyph is five columns of two digits each")]
 
 use super::canvas::Canvas;
@@ -7,11 +7,11 @@ use super::colour::{ColourMap, Colouring, Encoder, Swatch};
 /// Colour of letters.
 const INK: [u8; 3] = [0x2b, 0x38, 0x45];
 
-/// From one letter to the next and from one line to the next, dots.
+/// Distance between letters and between lines, dots.
 const ADVANCE: [i32; 2] = [6, 12];
 
-/// The characters from space to tilde. A glyph is five columns from left to right, the lowest bit of each on
-/// top; the eighth row is for tails.
+/// The characters from space to tilde. A glyph is five columns from left to right, with the top dot in the lowest bit;
+/// the eighth row is for descenders.
 #[rustfmt::skip]
 const GLYPHS: [u64; 95] = [
     0x0000000000, 0x00005f0000, 0x0007000700, 0x147f147f14, 0x242a7f2a12, 0x2313086462, 0x3649552250, 0x0005030000,
@@ -28,12 +28,12 @@ const GLYPHS: [u64; 95] = [
     0x4428102844, 0x1ca0a0a07c, 0x4464544c44, 0x0008364100, 0x00007f0000, 0x0041360800, 0x1008081008,
 ];
 
-/// Pixels to a dot of the font, in a picture of this height.
+/// Returns the size of a dot in pixels, for a picture of this height.
 fn dot(height: u32) -> i32 {
     (height / 270).clamp(1, 16) as i32
 }
 
-/// Pixels to leave free of the scene at every side, so that words never lie on the bounds.
+/// Returns the margin at every side that the scene leaves free for text, pixels.
 pub(super) fn margin(height: u32) -> f32 {
     (19 * dot(height)).min(height as i32 / 5) as f32
 }
@@ -46,7 +46,7 @@ pub(super) fn caption(canvas: &mut Canvas, text: &str) {
     }
 }
 
-/// Says in the lower right corner, on one line, what the colours mean.
+/// Draws the legend on one line in the lower right corner.
 pub(super) fn legend(canvas: &mut Canvas, colouring: &Colouring) {
     match colouring {
         Colouring::Numbers { range, label, .. } => colour_bar(canvas, *range, label),
@@ -75,7 +75,7 @@ fn colour_bar(canvas: &mut Canvas, range: [f32; 2], label: &str) {
     write(canvas, [before - 3 * gap - width(label, dot), y], dot, label);
 }
 
-/// Draws each colour and its name beside it.
+/// Draws the colour and the name of each category.
 fn swatches(canvas: &mut Canvas, key: &[Swatch]) {
     let (wide, high, dot) = (canvas.width() as i32, canvas.height() as i32, dot(canvas.height()));
     let (gap, side, y) = (4 * dot, 7 * dot, high - 13 * dot);
@@ -91,7 +91,7 @@ fn swatches(canvas: &mut Canvas, key: &[Swatch]) {
     }
 }
 
-/// The ends of the range, with as many decimals as tell one from the other to about three places.
+/// Formats the ends of the range with enough decimals for about three significant digits of the difference.
 fn numbers(range: [f32; 2]) -> [String; 2] {
     let span = (range[1] - range[0]).abs();
     let decimals = if span > 0.0 && span.is_finite() { (2 - span.log10().floor() as i32).clamp(0, 6) } else { 2 };
@@ -102,12 +102,12 @@ fn numbers(range: [f32; 2]) -> [String; 2] {
     })
 }
 
-/// Pixels that a line of text takes.
+/// Returns the width of a line of text, pixels.
 fn width(text: &str, dot: i32) -> i32 {
     text.chars().count().min(1000) as i32 * ADVANCE[0] * dot
 }
 
-/// Writes one line of text with its upper left corner at a place.
+/// Writes one line of text with its upper left corner at the given position.
 fn write(canvas: &mut Canvas, [x, y]: [i32; 2], dot: i32, text: &str) {
     for (character, place) in text.chars().zip(0..1000) {
         let glyph = glyph(character);
@@ -120,7 +120,7 @@ fn write(canvas: &mut Canvas, [x, y]: [i32; 2], dot: i32, text: &str) {
     }
 }
 
-/// The dots of a character; a question mark for one that the font does not have.
+/// Returns the dots of a character. Characters that the font does not have become question marks.
 fn glyph(character: char) -> u64 {
     match character {
         '²' => 0x0019151200,

@@ -1,4 +1,4 @@
-//! What `run` has to say.
+//! The result of `run`, and its report.
 use crate::scenes::LoadedScene;
 use crate::state_summary::{FirstLast, MeanMax};
 use crate::timing::Milliseconds;
@@ -8,69 +8,70 @@ use std::path::PathBuf;
 /// Result of `run`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Outcome {
-    /// The scene.
+    /// Name of the scene.
     pub scene: String,
-    /// What it ran on.
+    /// Description of the backend.
     pub backend: String,
-    /// Particles, those of walls too, and air that is not there.
+    /// Number of particles, including wall particles and inactive air particles.
     pub particles: usize,
-    /// Of these, walls'.
+    /// Number of wall particles among them.
     pub wall_particles: usize,
-    /// Steps made.
+    /// Number of steps made.
     pub steps: u64,
-    /// Time that passed in the scene, s.
+    /// Simulated time, s.
     pub simulated_s: f64,
-    /// Time that passed here, pictures included, s.
+    /// Wall time, including pictures, s.
     pub wall_s: f64,
-    /// Time of a step; on a GPU, means over the steps between two looks at its status.
+    /// Time of a step, ms; on a GPU, means over the steps between two reads of its status.
     pub ms_per_step: Milliseconds,
-    /// Neighbours of a particle, itself counted.
+    /// Mean number of neighbours of a particle, the particle itself included.
     pub average_neighbours: FirstLast,
-    /// Time steps that were made, s.
+    /// Time steps of the run, s.
     pub time_step: TimeSteps,
-    /// Courant numbers of the last step, on the support radius.
+    /// Courant numbers of the last step, based on the support radius.
     pub courant: Courant,
-    /// Compression beyond the rest density, as a share of it, after the last step.
+    /// Compression after the last step, as a share of the rest density.
     pub density_error: MeanMax,
     /// Energies before the first and after the last step, J (per metre of depth in 2D).
     pub energy: Energy,
-    /// Iterations of pressure; absent with an equation of state.
+    /// Iterations of the pressure correction; absent with an equation of state.
     pub pressure_correction: Option<PressureCorrection>,
-    /// The coat of air after the last step; absent where the scene has none.
+    /// The layer of air after the last step; absent if the scene has no air.
     pub air: Option<Air>,
     /// State hash after the last step.
     pub hash: String,
-    /// What a user should know.
+    /// Warnings about the scene and the run.
     pub warnings: Vec<String>,
-    /// Pictures drawn.
+    /// Paths of the pictures.
     pub pictures: Vec<PathBuf>,
 }
 
-/// Time steps of a run. On a GPU the smallest and largest are of those between two looks at its status.
+/// Time steps of a run. On a GPU, smallest and largest are those of the steps at which its status was read.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct TimeSteps {
-    /// Smallest, s.
+    /// Smallest time step, s.
     pub smallest: f64,
-    /// Largest, s.
+    /// Largest time step, s.
     pub largest: f64,
-    /// The last, s.
+    /// Last time step, s.
     pub last: f64,
-    /// Steps that were undone and made again, shorter.
+    /// Number of steps that were undone and repeated with a shorter time step.
     pub rejected_steps: u32,
-    /// Steps that should have been shorter than the shortest allowed.
+    /// Number of steps that should have been shorter than the smallest allowed.
     pub held: u32,
 }
 
-/// Courant numbers: what [`AdaptiveTimeStep`](millpond_core::scene::AdaptiveTimeStep) limits.
+/// Courant numbers, the quantities that [`AdaptiveTimeStep`](millpond_core::scene::AdaptiveTimeStep) limits. H is the
+/// support radius.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Courant {
-    /// `v dt / H` of the fastest particle.
+    /// `v dt / H`, v being the largest speed of a particle.
     pub speed: f64,
-    /// `dt sqrt(a / H)` of the one that is accelerated most.
+    /// `dt sqrt(a / H)`, a being the largest acceleration of a particle.
     pub acceleration: f64,
-    /// `c dt / H`; 0 where pressure is corrected.
+    /// `c dt / H`, c being the largest speed of sound; 0 with the pressure correction.
     pub sound: f64,
-    /// `nu dt / H^2`.
+    /// `nu dt / H^2`, nu being the largest kinematic viscosity.
     pub viscosity: f64,
 }
 
@@ -81,53 +82,53 @@ impl From<millpond_core::backend::report::Courant> for Courant {
     }
 }
 
-/// Energies of the fluid.
+/// Energies of the fluid, J.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Energy {
-    /// Of motion.
+    /// Kinetic energy.
     pub kinetic: FirstLast,
-    /// Thermal; absent where the scene keeps no account of it.
+    /// Internal energy; absent if the scene does not compute it.
     pub internal: Option<FirstLast>,
-    /// In the field of gravity.
+    /// Potential energy of gravity.
     pub potential: FirstLast,
-    /// In springs; absent where the scene has none.
+    /// Energy of springs; absent if no fluid is elastic.
     pub elastic: Option<FirstLast>,
 }
 
-/// What iterating pressure came to.
+/// Iterations of the pressure correction.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct PressureCorrection {
-    /// Iterations of a step, in the mean.
+    /// Mean number of iterations per step.
     pub mean_iterations: f64,
-    /// Of the last step.
+    /// Number of iterations of the last step.
     pub last_iterations: u32,
-    /// Largest density miss that the last step was left with, over the rest density.
+    /// Largest density error left after the last step, divided by the rest density.
     pub residual: f32,
 }
 
-/// What became of the coat of air.
+/// State of the layer of air.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Air {
-    /// Particles that there are.
+    /// Number of active air particles.
     pub alive: u32,
-    /// Births for which none was left, in all steps.
+    /// Number of spawn requests, over all steps, for which no inactive air particle was left.
     pub refused: u64,
 }
 
-/// The outcome as a page.
+/// Formats the result as a Markdown page.
 #[must_use]
 pub fn report(named: &LoadedScene, outcome: &Outcome) -> String {
     let o = outcome;
     let mut out = format!("# {}: {}\n\n", o.scene, named.file.about);
-    out += "| what | value |\n| --- | --- |\n";
+    out += "| quantity | value |\n| --- | --- |\n";
     let mut row = |what: &str, value: String| out += &format!("| {what} | {value} |\n");
     row("backend", o.backend.clone());
     row("particles", o.particles.to_string());
-    row("steps", format!("{} ({:.3} s simulated, {:.1} s here)", o.steps, o.simulated_s, o.wall_s));
-    row("ms a step", format!("{:.2} at least, {:.2} median", o.ms_per_step.min, o.ms_per_step.median));
+    row("steps", format!("{} ({:.3} s simulated, {:.1} s wall time)", o.steps, o.simulated_s, o.wall_s));
+    row("ms per step", format!("{:.2} minimum, {:.2} median", o.ms_per_step.min, o.ms_per_step.median));
     let TimeSteps { smallest, largest, last, rejected_steps, .. } = o.time_step;
     if smallest < largest || rejected_steps > 0 {
-        let words = format!("{smallest:.2e} to {largest:.2e} s, the last {last:.2e} s, {rejected_steps} made again");
+        let words = format!("{smallest:.2e} to {largest:.2e} s, the last {last:.2e} s, {rejected_steps} rejected");
         row("time step", words);
     }
     let Courant { speed, acceleration, sound, viscosity } = o.courant;
@@ -136,11 +137,11 @@ pub fn report(named: &LoadedScene, outcome: &Outcome) -> String {
     row("Courant numbers", numbers);
     row("neighbours", format!("{:.1} first, {:.1} last", o.average_neighbours.first, o.average_neighbours.last));
     let MeanMax { mean, max } = o.density_error;
-    row("compression", format!("{:.2} % mean, {:.1} % largest", mean * 100.0, max * 100.0));
+    row("compression", format!("{:.2} % mean, {:.1} % maximum", mean * 100.0, max * 100.0));
     let energy = o.energy;
     row("kinetic energy", format!("{:.4e} J first, {:.4e} J last", energy.kinetic.first, energy.kinetic.last));
     if let Some(internal) = energy.internal {
-        row("thermal energy", format!("{:.4e} J first, {:.4e} J last", internal.first, internal.last));
+        row("internal energy", format!("{:.4e} J first, {:.4e} J last", internal.first, internal.last));
     }
     row("potential energy", format!("{:.4e} J first, {:.4e} J last", energy.potential.first, energy.potential.last));
     if let Some(elastic) = energy.elastic {
@@ -148,10 +149,10 @@ pub fn report(named: &LoadedScene, outcome: &Outcome) -> String {
     }
     if let Some(p) = o.pressure_correction {
         let (mean, last, left) = (p.mean_iterations, p.last_iterations, p.residual * 100.0);
-        row("iterations of pressure", format!("{mean:.1} a step, {last} in the last, which leaves {left:.2} %"));
+        row("pressure iterations", format!("{mean:.1} per step, {last} in the last, density error {left:.2} %"));
     }
     if let Some(Air { alive, refused }) = o.air {
-        row("coat of air", format!("{alive} particles, {refused} births refused"));
+        row("air", format!("{alive} particles, {refused} spawn requests refused"));
     }
     row("hash", o.hash.clone());
     for warning in &o.warnings {

@@ -1,48 +1,49 @@
-//! Axes of a map: what varies, over which values, and how a value gets into a scene.
+//! Axes of a map: what varies, the values that it takes, and how a value is set in a scene.
 use crate::failure::Failure;
 use crate::scenes::{SceneFile, with};
 use glam::Vec3;
 use millpond_core::scene::{EquationOfState, Fluid, Integrator, Scene, Viscosity};
 use serde::Serialize;
 
-/// Name of the axis that is the time step itself.
+/// Name of the axis of time steps.
 pub(super) const TIME_STEP: &str = "time_step";
 
-/// Something that varies.
+/// A parameter that varies.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Axis {
-    /// One of the short names, or a field as `--set` takes it.
+    /// A short name, or a field as `--set` takes it.
     pub name: String,
-    /// Its values, as they were given.
+    /// Its values as they were given.
     pub values: Vec<String>,
 }
 
-/// A value on each axis.
+/// A value for each axis, as pairs of name and value.
 pub(super) type Choice = Vec<(String, String)>;
 
-/// How a value gets into a scene.
+/// How a value is set in a scene.
 enum AxisSetter {
-    /// A field, as by `--set`.
+    /// A field is set, as by `--set`.
     Field(&'static str),
-    /// The same, where the scene has a use for it.
+    /// A field is set, if the scene uses it.
     FieldIf(&'static str, fn(&Scene) -> Result<(), &'static str>),
-    /// A number in several fields.
+    /// A number is set in several fields.
     Number(fn(&mut Scene, f32)),
-    /// A number in several fields, where the scene has a use for it.
+    /// A number is set in several fields, if the scene uses them.
     NumberIf(fn(&mut Scene, f32) -> Result<(), &'static str>),
 }
 
-/// An axis with a short name.
+/// An axis that has a short name.
 struct KnownAxis {
     name: &'static str,
-    /// What it is called in a picture.
+    /// Title in a picture.
     title: &'static str,
-    /// Its values where none are given.
+    /// Its values if none are given.
     values: fn() -> Vec<String>,
     way: AxisSetter,
 }
 
-/// The axes with short names, in the order in which they get into a scene: a ratio of densities follows the speed of sound.
+/// The axes that have short names, in the order in which their values are set: the density ratio must follow the speed
+/// of sound, on which it depends.
 const KNOWN: &[KnownAxis] = &[
     KnownAxis {
         name: "integrator",
@@ -82,7 +83,7 @@ const KNOWN: &[KnownAxis] = &[
     },
     KnownAxis {
         name: "density_ratio",
-        title: "density of the second fluid over the first's",
+        title: "density of the second fluid over the first",
         values: || words("1,0.1,0.01,0.001"),
         way: AxisSetter::NumberIf(density_ratio),
     },
@@ -100,10 +101,10 @@ const KNOWN: &[KnownAxis] = &[
     },
 ];
 
-/// What may stand without values.
+/// Returns a hint that lists the names that may be given without values.
 fn alone() -> String {
     let known: Vec<&str> = KNOWN.iter().map(|known| known.name).collect();
-    format!("give NAME=VALUE,VALUE, or one of {} alone", known.join(", "))
+    format!("give NAME=VALUE,VALUE, or only the name of one of {}", known.join(", "))
 }
 
 fn words(list: &str) -> Vec<String> {
@@ -119,10 +120,10 @@ fn equations_of_state() -> Vec<String> {
 }
 
 impl Axis {
-    /// Of `NAME=VALUE,VALUE` or, where the name has values of its own, of `NAME`.
+    /// Parses `NAME=VALUE,VALUE` or, if the name has default values, `NAME`.
     ///
     /// # Errors
-    /// No name, no values, a value twice.
+    /// Returns an error if the name or the values are missing, or if a value is given twice.
     pub fn parse(text: &str) -> Result<Axis, Failure> {
         let wrong = |what: &str| Failure::Call(format!("--axis {text}: {what}"));
         let known = || KNOWN.iter().find(|known| known.name == text);
@@ -135,37 +136,37 @@ impl Axis {
             return Err(wrong("give NAME=VALUE,VALUE"));
         }
         if let Some(twice) = values.iter().enumerate().find(|(i, value)| values[..*i].contains(value)) {
-            return Err(wrong(&format!("{} is there twice", twice.1)));
+            return Err(wrong(&format!("the value {} is given twice", twice.1)));
         }
         Ok(Axis { name: name.to_owned(), values })
     }
 
-    /// What it is called in a picture.
+    /// Returns its title in a picture.
     #[must_use]
     pub fn title(&self) -> &str {
         KNOWN.iter().find(|known| known.name == self.name).map_or(self.name.as_str(), |known| known.title)
     }
 
-    /// Are its values numbers?
+    /// Returns whether all its values are numbers.
     #[must_use]
     pub fn is_of_numbers(&self) -> bool {
         self.values.iter().all(|value| value.parse::<f64>().is_ok())
     }
 }
 
-/// All axes of a call.
+/// Parses all axes of a call.
 ///
 /// # Errors
-/// As for [`Axis::parse`]; also one that is there twice.
+/// Returns the errors of [`Axis::parse`], and an error for an axis that is given twice.
 pub(super) fn parse_all(texts: &[String]) -> Result<Vec<Axis>, Failure> {
     let axes = texts.iter().map(|text| Axis::parse(text)).collect::<Result<Vec<_>, _>>()?;
     match axes.iter().enumerate().find(|(i, axis)| axes[..*i].iter().any(|other| other.name == axis.name)) {
-        Some((_, twice)) => Err(Failure::Call(format!("--axis {} is there twice", twice.name))),
+        Some((_, twice)) => Err(Failure::Call(format!("--axis {} is given twice", twice.name))),
         None => Ok(axes),
     }
 }
 
-/// Every combination of values, the last axis fastest.
+/// Returns every combination of values; the last axis varies fastest.
 #[must_use]
 pub(super) fn choices(axes: &[Axis]) -> Vec<Choice> {
     axes.iter().fold(vec![Choice::new()], |so_far, axis| {
@@ -180,24 +181,24 @@ pub(super) fn choices(axes: &[Axis]) -> Vec<Choice> {
     })
 }
 
-/// `file` with a choice made. Whether the scene can run is its own to say.
+/// Returns `file` with the values of a choice set. It does not check whether the scene can run.
 ///
 /// # Errors
-/// No such field, a value that does not fit, an axis that the scene has no use for.
+/// Returns an error for an unknown field, a value that does not fit, or an axis that the scene does not use.
 pub(super) fn choose(file: &SceneFile, choice: &Choice) -> Result<SceneFile, Failure> {
     let order = |name: &str| KNOWN.iter().position(|known| known.name == name);
     let mut sorted: Vec<&(String, String)> = choice.iter().collect();
-    // fields by their own names come first
+    // fields without a short name come first
     sorted.sort_by_key(|(name, _)| order(name));
     let mut file = file.clone();
     for (name, value) in sorted {
         let wrong = |what: String| Failure::Call(format!("--axis {name}={value}: {what}"));
-        let number = || value.parse().map_err(|_| "give numbers".to_owned());
+        let number = || value.parse().map_err(|_| "the values must be numbers".to_owned());
         match KNOWN.iter().find(|known| known.name == name).map(|known| &known.way) {
             None => {
                 let changed = with(&file, name, value).map_err(wrong)?;
                 if changed.scene == file.scene && changed != file {
-                    return Err(wrong("it says how a scene is shown, and nothing of what runs".into()));
+                    return Err(wrong("this field does not affect the simulation".into()));
                 }
                 file = changed;
             }
@@ -217,7 +218,7 @@ pub(super) fn choose(file: &SceneFile, choice: &Choice) -> Result<SceneFile, Fai
 
 fn has_equation_of_state(scene: &Scene) -> Result<(), &'static str> {
     if scene.corrects_pressure() {
-        Err("the scene iterates its pressure, so that equations of state have no effect")
+        Err("the scene uses a pressure solver, so the equation of state has no effect")
     } else {
         Ok(())
     }
@@ -228,10 +229,10 @@ fn average_neighbours(scene: &mut Scene, value: f32) {
     each_fluid(scene, |fluid| fluid.average_neighbours = None);
 }
 
-/// Of the first fluid; those of the others stay in proportion.
+/// Sets the speed of sound of the first fluid and scales those of the other fluids in proportion.
 fn speed_of_sound(scene: &mut Scene, value: f32) -> Result<(), &'static str> {
     if scene.fluids.iter().any(|fluid| fluid.stiffness.is_some()) || scene.stiffness_for_time_step.is_some() {
-        return Err("the scene's sound follows from its stiffness");
+        return Err("the scene's speed of sound follows from its stiffness");
     }
     let share = value / scene.fluids[0].speed_of_sound;
     scene.fluids.iter_mut().skip(1).for_each(|fluid| fluid.speed_of_sound *= share);
@@ -243,27 +244,28 @@ fn stiffness(scene: &mut Scene, value: f32) {
     each_fluid(scene, |fluid| fluid.stiffness = Some(value));
 }
 
-/// Of everything that flows, blocks with a viscosity of their own too.
+/// Sets the dynamic viscosity of all fluids, including blocks that have their own.
 fn viscosity(scene: &mut Scene, value: f32) -> Result<(), &'static str> {
     if matches!(scene.model.viscosity, Viscosity::Artificial | Viscosity::VelocityExchange) {
-        return Err("the scene's model.viscosity takes none");
+        return Err("the scene's model.viscosity does not use a dynamic viscosity");
     }
     each_fluid(scene, |fluid| fluid.dynamic_viscosity = value);
     scene.blocks.iter_mut().for_each(|block| block.dynamic_viscosity = None);
     Ok(())
 }
 
-/// At equal bulk moduli: a fluid with the other's pressure and a share of its density has the faster sound. With the same
-/// sound it would be crushed by the other's weight at any step.
+/// Sets the ratio of the densities of two fluids, keeping their bulk moduli equal: the lighter fluid then has the
+/// larger speed of sound. With equal speeds of sound it would be compressed too far by the weight of the other fluid,
+/// whatever the time step.
 fn density_ratio(scene: &mut Scene, value: f32) -> Result<(), &'static str> {
     let first = scene.fluids[0];
-    let second = scene.fluids.get_mut(1).ok_or("the scene has one fluid, and a ratio needs two")?;
+    let second = scene.fluids.get_mut(1).ok_or("the scene has one fluid, but a density ratio needs two")?;
     second.rest_density = value * first.rest_density;
     second.speed_of_sound = first.speed_of_sound / value.sqrt();
     Ok(())
 }
 
-/// Of the last block, along gravity; down where there is none.
+/// Sets the velocity of the last block along gravity, or downwards without gravity.
 fn drop_speed(scene: &mut Scene, value: f32) -> Result<(), &'static str> {
     let down = scene.gravity.try_normalize().unwrap_or(Vec3::NEG_Y);
     let block = scene.blocks.last_mut().ok_or("the scene has no block to drop")?;
@@ -298,13 +300,13 @@ mod tests {
         assert!(parse_all(&["viscosity=1".into(), "viscosity=2".into()]).is_err());
         assert!(chosen("dam-break", &[("viscosity", "thick")]).is_err());
         assert!(chosen("dam-break", &[("no_such_field", "1")]).is_err());
-        assert!(chosen("dam-break", &[("duration", "1")]).is_err(), "nothing of what runs");
-        assert_eq!(Axis::parse("scene.time_step=1,2").expect("one name for one thing").name, TIME_STEP);
-        assert!(chosen("dam-break", &[("density_ratio", "0.1")]).is_err(), "one fluid has no ratio");
-        assert!(chosen("stiff-tank", &[("viscosity", "1")]).is_err(), "an artificial viscosity takes none");
-        assert!(chosen("tower", &[("speed_of_sound", "10")]).is_err(), "its stiffness says how fast sound is");
+        assert!(chosen("dam-break", &[("duration", "1")]).is_err(), "it does not affect the simulation");
+        assert_eq!(Axis::parse("scene.time_step=1,2").expect("both names mean the same field").name, TIME_STEP);
+        assert!(chosen("dam-break", &[("density_ratio", "0.1")]).is_err(), "a ratio needs two fluids");
+        assert!(chosen("stiff-tank", &[("viscosity", "1")]).is_err(), "artificial viscosity has no dynamic viscosity");
+        assert!(chosen("tower", &[("speed_of_sound", "10")]).is_err(), "its stiffness sets the speed of sound");
         assert!(chosen("dam-break", &[("equation_of_state", "Nobody")]).is_err());
-        assert!(chosen("corrected-column", &[("equation_of_state", "Tait")]).is_err(), "its pressure is iterated");
+        assert!(chosen("corrected-column", &[("equation_of_state", "Tait")]).is_err(), "it has a pressure solver");
     }
 
     #[test]
@@ -313,7 +315,7 @@ mod tests {
             let axis = Axis::parse(known.name).expect("it is known");
             assert!(axis.values.len() > 2, "{}", known.name);
         }
-        assert_eq!(Axis::parse("model.viscosity=Mueller, Morris").expect("any field will do").values.len(), 2);
+        assert_eq!(Axis::parse("model.viscosity=Mueller, Morris").expect("any field is accepted").values.len(), 2);
     }
 
     #[test]
@@ -327,7 +329,7 @@ mod tests {
 
     #[test]
     fn values_get_to_where_they_belong() {
-        // whichever way round: a ratio follows the speed of sound
+        // the order does not matter: the density ratio is set after the speed of sound
         let pairs = [("density_ratio", "0.01"), ("speed_of_sound", "50"), ("viscosity", "7")];
         let scene = chosen("oil-and-water", &pairs).expect("it has two fluids");
         let second = scene.fluids[1];

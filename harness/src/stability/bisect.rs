@@ -1,22 +1,23 @@
-//! The largest stable time step, by bisection.
+//! Bisection for the largest stable time step.
 
-/// How close the two sides of the edge come: the smallest unstable step over the largest stable one, less one.
+/// Precision of a bisection: the smallest unstable time step over the largest stable one, less 1.
 pub(super) const PRECISION: f32 = 0.05;
 
-/// The edge of stability, from both sides, s.
+/// The limit of stability, from both sides, s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Edge {
-    /// Largest step that was stable; none where none was.
+    /// Largest stable time step; `None` if none was stable.
     pub(super) stable: Option<f32>,
-    /// Smallest step that was not, above it; none where all were stable.
+    /// Smallest unstable time step above it; `None` if all were stable.
     pub(super) unstable: Option<f32>,
 }
 
-/// Looks for the edge between `least` and `most`: from `start` by doubling and halving until there is a step on either side,
-/// then halfway between them in the logarithm. Where stable and unstable steps alternate, this finds one of the edges.
+/// Searches for the limit between `least` and `most`. It doubles or halves `start` until it has a stable and an
+/// unstable time step, then bisects between them on a logarithmic scale. If stable and unstable time steps alternate,
+/// it finds one of the limits.
 ///
 /// # Errors
-/// What `is_stable` cannot say.
+/// Returns the error of `is_stable`.
 pub(super) fn edge<E>(
     start: f32,
     [least, most]: [f32; 2],
@@ -56,21 +57,21 @@ mod tests {
 
     const RANGE: [f32; 2] = [1e-6, 1e-1];
 
-    /// The edge of steps up to `limit`, and how often it was asked.
+    /// Finds the edge for time steps that are stable up to `limit`, and the number of evaluations.
     fn look(start: f32, limit: f32) -> (Edge, u32) {
         let mut asked = 0;
         let found = edge(start, RANGE, |step| {
             asked += 1;
             Ok::<bool, ()>(step <= limit)
         });
-        (found.expect("it always answers"), asked)
+        (found.expect("it never fails"), asked)
     }
 
     #[test]
     fn the_edge_is_found_from_either_side() {
         for limit in [3e-6, 1.1e-4, 9.9e-4, 1e-3, 1.01e-3, 0.04] {
             let (edge, asked) = look(1e-3, limit);
-            let (stable, unstable) = (edge.stable.expect("one is"), edge.unstable.expect("one is not"));
+            let (stable, unstable) = (edge.stable.expect("one is stable"), edge.unstable.expect("one is unstable"));
             assert!(stable <= limit && limit < unstable, "{limit}: {edge:?}");
             assert!(unstable <= stable * (1.0 + PRECISION), "{limit}: {edge:?}");
             assert!(asked < 20, "{limit}: {asked}");

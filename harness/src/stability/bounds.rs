@@ -1,8 +1,8 @@
-//! Where a fluid may be: inside of what holds it.
+//! Boxes that hold the fluid, from which lost particles are counted.
 use glam::Vec3;
 use millpond_core::scene::{Face, Scene, WallShape};
 
-/// A box that the fluid is held in; infinite where it is open.
+/// A box that holds the fluid; infinite on open sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bound {
     low: [f64; 3],
@@ -22,7 +22,7 @@ impl Bound {
         bound
     }
 
-    /// Is a place, m, outside by more than a margin?
+    /// Returns whether a position, m, is outside of the box by more than a margin, m.
     pub(super) fn is_outside(&self, place: [f32; 3], margin: f64) -> bool {
         (0..3).any(|axis| {
             let x = f64::from(place[axis]);
@@ -31,7 +31,7 @@ impl Bound {
     }
 }
 
-/// The boxes that a scene holds its fluid in: the container, and hollow boxes of wall particles.
+/// Returns the boxes that hold the fluid of a scene: the container and hollow boxes of wall particles.
 pub(super) fn bounds(scene: &Scene) -> Vec<Bound> {
     let container = scene.container.iter().map(|c| Bound::of(scene, c.low, c.high, &c.open));
     let walls = scene.walls.iter().filter_map(|wall| match &wall.shape {

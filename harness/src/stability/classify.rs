@@ -1,4 +1,4 @@
-//! Is a run stable? Criteria that hold for any scene, and the run that is held against them.
+//! Classification of runs as stable or unstable, by criteria that hold for any scene.
 use super::bounds::{Bound, bounds};
 use crate::energy::{DENSITY_LIMIT, GROWTH_LIMIT, driven_by, scale, total};
 use crate::output::seconds;
@@ -10,34 +10,34 @@ use millpond_core::{Checked, Requirements, SceneError, Serial, Solver, StepError
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// Largest share of the fluid that may be outside of its walls by more than a support radius: a few drops leap over a rim,
-/// walls that do not hold lose more.
+/// Largest share of the fluid that may be outside of its walls by more than a support radius. A few drops may splash
+/// over a rim; walls that leak lose more.
 const LOST_LIMIT: f64 = 0.01;
 
-/// The limits together: points that were judged by others are not these.
+/// All limits. They are part of the key of a finished point, so that points judged by other limits are run again.
 pub(super) const CRITERIA: [f64; 3] = [GROWTH_LIMIT, DENSITY_LIMIT, LOST_LIMIT];
 
-/// Steps between two looks: an explosion takes some tens of steps, and a look costs a few per cent of a step.
+/// Steps between two checks. An instability grows over some tens of steps, and a check costs a few per cent of a step.
 const LOOK_EVERY: u64 = 5;
 
-/// By what a run showed itself to be unstable.
+/// The criterion by which a run is unstable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Criterion {
-    /// The mechanical energy rose.
+    /// The mechanical energy grew.
     EnergyGrowth,
     /// The fluid is compressed too far.
     DensityError,
-    /// A step could not be made: somebody went where there are no numbers any more.
+    /// A step failed because a value of a particle is not finite, or out of range.
     NotFinite,
-    /// A step could not be made: more came into a cell than it has places.
+    /// A step failed because a cell got more particles than it has places.
     CellFull,
-    /// Particles left the walls.
+    /// Particles left the boxes that hold them.
     ParticlesLost,
 }
 
 impl Criterion {
-    /// In words.
+    /// Returns its name.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -50,16 +50,16 @@ impl Criterion {
     }
 }
 
-/// What became of a run.
+/// Result of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Verdict {
-    /// It came to its end.
+    /// The run reached its end without breaking a criterion.
     Stable,
-    /// It did not.
+    /// The run broke a criterion.
     Unstable(Broken),
     /// The scene cannot run.
     Refused(String),
-    /// It was not made, or not to its end.
+    /// The run would need too many steps and was not made.
     TooManySteps(TooManySteps),
 }
 
@@ -69,7 +69,7 @@ pub(super) struct Broken {
     pub(super) criterion: Criterion,
     /// Simulated time, s.
     pub(super) time: f64,
-    /// How far it went.
+    /// Explanation with the value that was reached.
     pub(super) words: String,
 }
 
@@ -79,68 +79,68 @@ impl fmt::Display for Broken {
     }
 }
 
-/// A run that takes more steps than are allowed.
+/// A run that needs more steps than are allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct TooManySteps {
-    /// Steps that it takes.
+    /// Steps that it needs.
     pub(super) needed: u64,
-    /// Steps that it may take.
+    /// Steps that are allowed.
     pub(super) most: u64,
 }
 
 impl fmt::Display for TooManySteps {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "needs {} steps, and --most-steps allows {}", self.needed, self.most)
+        write!(f, "needs {} steps, but --most-steps allows {}", self.needed, self.most)
     }
 }
 
-/// Watches a run.
+/// Checks the state of a run against the criteria.
 #[derive(Debug)]
 pub(super) struct Judge {
-    /// Energy that there is to spend, J; none where energy is not judged.
+    /// Energy that the scene can release, J; `None` if energy is not judged.
     scale: Option<f64>,
-    /// Least mechanical energy so far, J.
+    /// Smallest mechanical energy so far, J.
     least: f64,
     bounds: Vec<Bound>,
 }
 
 impl Judge {
-    /// Of a run at its start.
+    /// Returns the judge of a run, from the state at its start.
     pub(super) fn new(scene: &Checked<'_>, solver: &Solver<'_>) -> Judge {
         let scale = driven_by(scene).is_none().then(|| scale(scene, solver));
-        // a box that never held all of the fluid loses none of it
+        // a box that does not hold all of the fluid at the start cannot lose it
         let fluid = || solver.particles().filter(|particle| !particle.wall && !particle.inactive);
         let holds = |bound: &Bound| !fluid().any(|particle| bound.is_outside(particle.position.to_array(), 0.0));
         let bounds = bounds(scene).into_iter().filter(holds).collect();
         Judge { scale, least: total(scene, solver), bounds }
     }
 
-    /// The criterion that the state now breaks, if any.
+    /// Returns the criterion that the current state breaks, if any.
     pub(super) fn look(&mut self, scene: &Checked<'_>, solver: &Solver<'_>) -> Option<Broken> {
         let broken = |criterion, words| Some(Broken { criterion, time: solver.time(), words });
         let energy = total(scene, solver);
         let compression = solver.density_error().mean;
         if !energy.is_finite() || !compression.is_finite() {
-            return broken(Criterion::NotFinite, "the energy is no number any more".into());
+            return broken(Criterion::NotFinite, "the energy or the density is no longer finite".into());
         }
         let lost = self.lost(solver, support_radius(scene));
         if lost > LOST_LIMIT {
-            return broken(Criterion::ParticlesLost, format!("{:.1} % of the fluid is outside", lost * 100.0));
+            return broken(Criterion::ParticlesLost, format!("{:.1} % of the fluid left its walls", lost * 100.0));
         }
         if compression > DENSITY_LIMIT {
             let percent = compression * 100.0;
-            return broken(Criterion::DensityError, format!("compressed by {percent:.1} % in the mean"));
+            return broken(Criterion::DensityError, format!("the mean compression is {percent:.1} %"));
         }
         self.least = self.least.min(energy);
         let growth = self.scale.map_or(0.0, |scale| (energy - self.least) / scale);
         if growth > GROWTH_LIMIT {
             let percent = growth * 100.0;
-            return broken(Criterion::EnergyGrowth, format!("up by {percent:.1} % of what there was to spend"));
+            return broken(Criterion::EnergyGrowth, format!("it grew by {percent:.1} % of what the scene can release"));
         }
         None
     }
 
-    /// Share of the fluid that is outside by more than a margin.
+    /// Returns the share of the fluid that is outside of its boxes by more than a margin, m.
     fn lost(&self, solver: &Solver<'_>, margin: f64) -> f64 {
         let (mut lost, mut all) = (0u64, 0u64);
         for particle in solver.particles().filter(|particle| !particle.wall && !particle.inactive) {
@@ -152,23 +152,23 @@ impl Judge {
     }
 }
 
-/// What a run came to.
+/// Result of a run with its costs.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Trial {
     pub(super) verdict: Verdict,
-    /// Steps that were made.
+    /// Number of steps made.
     pub(super) steps: u64,
-    /// Particles of the scene; 0 where it was refused.
+    /// Number of particles of the scene; 0 if it was refused.
     pub(super) particles: usize,
 }
 
-/// Runs a scene for so many simulated seconds, or until it breaks a criterion, on the calling thread. `watch` sees it at its
-/// start and after each step.
+/// Runs a scene for `time` seconds of simulated time, or until it breaks a criterion, on the calling thread. `watch` is
+/// called at the start and after each step.
 pub(super) fn classify(scene: &Scene, time: f64, most: u64, mut watch: impl FnMut(&Solver<'_>)) -> Trial {
     let ended = |verdict, steps| Trial { verdict, steps, particles: 0 };
     let refused = |error: SceneError| ended(Verdict::Refused(error.to_string()), 0);
     if scene.adaptive.is_some() {
-        return ended(Verdict::Refused("adaptive leaves no time step to judge: --set adaptive=null".into()), 0);
+        return ended(Verdict::Refused("an adaptive scene has no fixed time step: --set adaptive=null".into()), 0);
     }
     let scene = &match scene.check() {
         Ok(scene) => scene,
@@ -178,7 +178,7 @@ pub(super) fn classify(scene: &Scene, time: f64, most: u64, mut watch: impl FnMu
     let ended = |verdict, steps| Trial { verdict, steps, particles };
     let bytes = Requirements::of(scene).bytes();
     if bytes > MOST_BYTES {
-        return ended(Verdict::Refused(format!("the scene needs {bytes} bytes, and {MOST_BYTES} are given to one")), 0);
+        return ended(Verdict::Refused(format!("it needs {bytes} bytes, but at most {MOST_BYTES} are allowed")), 0);
     }
     let needed = (time / f64::from(scene.time_step)).round().max(1.0) as u64;
     if needed > most {
@@ -214,7 +214,7 @@ mod tests {
     use crate::scenes::{Changes, load};
     use millpond_core::scene::AdaptiveTimeStep;
 
-    /// What becomes of `still-tank`, whose sound crosses its support in 2.3 ms, in steps of so many seconds.
+    /// Returns the verdict on `still-tank` with the given time step, s. Sound crosses its support in 2.3 ms.
     fn tank(time_step: f32, most: u64) -> Verdict {
         let mut scene = load("still-tank", &Changes::default()).expect("it is built in").file.scene;
         scene.time_step = time_step;

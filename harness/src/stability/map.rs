@@ -1,4 +1,4 @@
-//! The map: which point stands where, and the table of it.
+//! The map: the layout of the points and its table.
 use super::axis::{Axis, TIME_STEP, choices};
 use super::bisect::PRECISION;
 use super::classify::Criterion;
@@ -6,48 +6,49 @@ use super::{Outcome, Run, Suite};
 use crate::output::seconds;
 use std::collections::BTreeMap;
 
-/// What a cell of the map says.
+/// Content of a cell of the map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Cell {
-    /// The largest stable step.
+    /// The largest stable time step.
     Stable {
-        /// s.
+        /// Time step, s.
         time_step: f32,
-        /// `c dt / H`, where sound limits the step.
+        /// `c dt / H`; `None` with a pressure solver.
         courant: Option<f32>,
-        /// No longer step was found unstable.
+        /// Whether no longer time step was found unstable, so that the limit may be larger.
         at_least: bool,
     },
-    /// No step is stable, and what the shortest one broke.
+    /// No time step is stable; with the criterion that the shortest one broke.
     Unstable(Option<Criterion>),
     /// The scene cannot run.
     Refused,
-    /// Left undone: too many steps.
+    /// Skipped, because it needs too many steps.
     TooLong,
 }
 
-/// Cells of one value of every axis but two.
+/// The cells for one value of each further axis.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Panel {
-    /// Those values; empty where there are but two axes.
+    /// Names and values of those axes; empty if there are at most two axes.
     pub(super) title: String,
-    /// Row by row.
+    /// The cells, row by row.
     pub(super) cells: Vec<Vec<Cell>>,
 }
 
-/// The points of a suite, laid out.
+/// Layout of the points.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Map {
-    /// The axis down the side; none where there is but one.
+    /// The axis of the rows; `None` if there is no axis, or only one of numbers.
     pub(super) rows: Option<Axis>,
-    /// The axis along the other; none where nothing varies.
+    /// The axis of the columns; `None` if there is no axis, or only one of names.
     pub(super) columns: Option<Axis>,
     pub(super) panels: Vec<Panel>,
 }
 
 impl Map {
-    /// The time step is what a cell shows, the first two other axes are its sides, and of every further one each value has a
-    /// panel. Numbers go along, and words down the side, where there is more room for them.
+    /// Lays out the points. A cell shows the time step. The first two other axes are rows and columns, and each
+    /// combination of values of further axes has a panel. Axes of numbers are columns, and axes of names are rows,
+    /// where there is more space for them.
     pub(super) fn of(axes: &[Axis], runs: &[Run]) -> Map {
         let mut sides: Vec<&Axis> = axes.iter().filter(|axis| axis.name != TIME_STEP).collect();
         let others = sides.split_off(sides.len().min(2));
@@ -81,18 +82,18 @@ impl Map {
         Map { panels: panels.collect(), rows: rows.cloned(), columns: columns.cloned() }
     }
 
-    /// Every cell.
+    /// Returns all cells.
     pub(super) fn cells(&self) -> impl Iterator<Item = &Cell> {
         self.panels.iter().flat_map(|panel| panel.cells.iter().flatten())
     }
 }
 
-/// Values of an axis, or one place where there is none.
+/// Returns the values of an axis, or one place without a value if there is no axis.
 fn values(axis: Option<&Axis>) -> Vec<Option<&String>> {
     axis.map_or_else(|| vec![None], |axis| axis.values.iter().map(Some).collect())
 }
 
-/// What the runs of a cell say together: one bisected point, or one run of each time step.
+/// Returns the content of a cell from its runs: one bisected point, or one run for each time step.
 fn cell_of(runs: &[&Run]) -> Cell {
     let of = |outcome: Outcome| runs.iter().filter(move |run| run.outcome == outcome);
     let by_step = |a: &&&Run, b: &&&Run| a.time_step.unwrap_or(0.0).total_cmp(&b.time_step.unwrap_or(0.0));
@@ -102,23 +103,23 @@ fn cell_of(runs: &[&Run]) -> Cell {
         let at_least = !longer && best.unstable_time_step.is_none();
         return Cell::Stable { time_step, courant: best.courant.map(|courant| courant.support), at_least };
     }
-    // a step that was left undone may be stable
+    // a time step that was skipped may be stable
     if runs.iter().any(|run| run.too_long) {
         return Cell::TooLong;
     }
     of(Outcome::Unstable).min_by(by_step).map_or(Cell::Refused, |shortest| Cell::Unstable(shortest.criterion))
 }
 
-/// The suite as a page.
+/// Returns the report.
 pub(super) fn words(suite: &Suite, map: &Map) -> String {
     let names: Vec<&str> = suite.axes.iter().map(|axis| axis.name.as_str()).collect();
     let over = if names.is_empty() { String::new() } else { format!(" over {}", names.join(", ")) };
     let mut out = format!("# {}: the largest stable time step{over}\n\n", suite.suite);
     let listed = suite.axes.iter().any(|axis| axis.name == TIME_STEP);
-    let found = if listed { "Of the steps listed".to_owned() } else { format!("Bisected to {} %", PRECISION * 100.0) };
+    let found = if listed { "Of those given".to_owned() } else { format!("Bisected to {} %", PRECISION * 100.0) };
     out += &format!("{found}, over {} s of simulated time; C is c dt / H.\n", suite.time_s);
     if let Some(why) = &suite.energy_not_judged {
-        out += &format!("Energy is not judged: {why}.\n");
+        out += &format!("Energy growth is not judged: {why}.\n");
     }
     for panel in &map.panels {
         out += &format!("\n{}\n", table(map, panel));
@@ -126,7 +127,7 @@ pub(super) fn words(suite: &Suite, map: &Map) -> String {
     out += "\n| run | outcome | steps | |\n| --- | --- | --- | --- |\n";
     for run in &suite.runs {
         let outcome = run.outcome.name();
-        let label = if run.label.is_empty() { "as it is" } else { &run.label };
+        let label = if run.label.is_empty() { "the scene as it is" } else { &run.label };
         out += &format!("| {label} | {outcome} | {} | {} |\n", run.steps, run.detail);
     }
     if let Some(picture) = &suite.picture {
@@ -155,11 +156,11 @@ fn table(map: &Map, panel: &Panel) -> String {
     out.trim_end().to_owned()
 }
 
-/// What stands in a cell: one line or two.
+/// Returns the text of a cell: one line or two.
 pub(super) fn lines(cell: &Cell) -> Vec<String> {
     match cell {
         Cell::Stable { time_step, courant, at_least } => {
-            let sign = if *at_least { "≥ " } else { "" };
+            let sign = if *at_least { ">= " } else { "" };
             let number = courant.map(|courant| format!("C {courant:.2}"));
             [format!("{sign}{}", seconds(*time_step))].into_iter().chain(number).collect()
         }
@@ -167,7 +168,7 @@ pub(super) fn lines(cell: &Cell) -> Vec<String> {
             ["none".to_owned()].into_iter().chain(criterion.map(|criterion| criterion.name().to_owned())).collect()
         }
         Cell::Refused => vec!["refused".into()],
-        Cell::TooLong => vec!["left undone".into(), "too many steps".into()],
+        Cell::TooLong => vec!["skipped".into(), "too many steps".into()],
     }
 }
 
@@ -215,7 +216,7 @@ mod tests {
             })
             .collect();
         let map = Map::of(&axes, &runs);
-        assert_eq!(map.rows.as_ref().map(|axis| axis.name.as_str()), Some("model.integrator"), "words down the side");
+        assert_eq!(map.rows.as_ref().map(|axis| axis.name.as_str()), Some("model.integrator"), "names are rows");
         let stable = |time_step, at_least| Cell::Stable { time_step, courant: None, at_least };
         let euler = vec![stable(0.1, false), Cell::Unstable(Some(Criterion::EnergyGrowth))];
         assert_eq!(map.panels[0].cells, [euler, vec![stable(0.2, true), stable(0.1, false)]]);
@@ -228,10 +229,10 @@ mod tests {
         let map = Map::of(&axes, &[]);
         let titles: Vec<&str> = map.panels.iter().map(|panel| panel.title.as_str()).collect();
         assert_eq!(titles, ["c 1", "c 2"]);
-        assert!(map.cells().all(|cell| *cell == Cell::Refused), "no run is no stable run");
+        assert!(map.cells().all(|cell| *cell == Cell::Refused), "without runs no time step is stable");
         assert_eq!(Map::of(&[], &[]).panels[0].cells.len(), 1, "no axis: one cell");
         let lone = parse_all(&["integrator".to_owned()]).expect("it parses");
-        assert!(Map::of(&lone, &[]).columns.is_none(), "words stand down the side");
+        assert!(Map::of(&lone, &[]).columns.is_none(), "names are rows");
     }
 
     #[test]

@@ -1,11 +1,14 @@
-//! `stability`: how large a time step may be, over axes such as stiffness, viscosity and integrator.
+//! `stability`: finds the largest stable time step as other parameters vary, such as stiffness, viscosity and
+//! integrator.
 //!
-//! Every combination of the axes' values is a point. Where the time step is an axis, each point is run and classified;
-//! where it is not, each is bisected for its largest stable step. Points run side by side, each on one thread, and are
-//! told in the order of the axes. With a folder, a point that is finished is not run again.
+//! Every combination of the values on the axes is a point. If the time step is an axis, each point is run once and
+//! classified. Otherwise each point is bisected for its largest stable time step. Points run in parallel, each on one
+//! thread, and are reported in the order of the axes. With an output folder, finished points are kept and not run
+//! again.
 //!
-//! `axis` says what varies, `point` runs a point, by `classify`, `energy` and `bounds` (what is stable) and `bisect`; `resume` keeps
-//! what is done, `map` and `picture` show it. `tower` is a suite of its own.
+//! Module `axis` defines what varies. `point` runs a point; `classify`, `energy` and `bounds` decide what is stable,
+//! and `bisect` searches for the limit. `resume` keeps finished points. `map` and `picture` show the result. `tower` is
+//! a separate suite.
 mod axis;
 mod bisect;
 mod bounds;
@@ -37,15 +40,15 @@ use std::path::PathBuf;
 pub struct Options {
     #[command(flatten)]
     common: Common,
-    /// What varies, as often as wanted: a name alone (integrator, equation_of_state, average_neighbours, speed_of_sound,
-    /// stiffness, viscosity, density_ratio, drop_speed, time_step) or any field, with its values. Without time_step each
-    /// point is bisected for its largest stable one
+    /// What varies; may be given several times: a name alone (integrator, equation_of_state, average_neighbours,
+    /// speed_of_sound, stiffness, viscosity, density_ratio, drop_speed, time_step), or any field, with its values.
+    /// Without time_step each point is bisected for its largest stable time step
     #[arg(long, value_name = "NAME[=VALUE,VALUE]")]
     axis: Vec<String>,
     /// Simulated seconds of each run (default the scene's own)
     #[arg(long, value_name = "SECONDS")]
     time: Option<f64>,
-    /// Most steps of a run: a point that needs more is left undone, and told
+    /// Largest number of steps of a run; a point that needs more is skipped and reported
     #[arg(long, value_name = "N", default_value_t = 200_000)]
     most_steps: u64,
     /// Run finished points again
@@ -53,20 +56,20 @@ pub struct Options {
     fresh: bool,
 }
 
-/// What a point came to.
+/// Outcome of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Outcome {
-    /// Its step is stable, or there is one that is.
+    /// The time step is stable, or a stable one was found.
     Stable,
-    /// It is not, or there is none.
+    /// The time step is unstable, or no stable one was found.
     Unstable,
-    /// It cannot run, or would take too many steps.
+    /// The scene cannot run, or would take too many steps.
     Refused,
 }
 
 impl Outcome {
-    /// In a word.
+    /// Returns its name.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -77,7 +80,7 @@ impl Outcome {
     }
 }
 
-/// Courant numbers of a time step: how far sound travels in it.
+/// Courant numbers of a time step: the distance that sound travels in one step.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Courant {
     /// In support radii, `c dt / H`.
@@ -89,69 +92,70 @@ pub struct Courant {
 /// A point of the map.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Run {
-    /// Its choice in a line.
+    /// Its choice on one line.
     pub label: String,
-    /// A value for each axis.
+    /// The value on each axis.
     pub choice: BTreeMap<String, String>,
-    /// What it came to.
+    /// Its outcome.
     pub outcome: Outcome,
-    /// The same in words.
+    /// Explanation of the outcome.
     pub detail: String,
-    /// What a step that is too long breaks, here or above the largest stable one; absent where none did.
+    /// The criterion that this time step breaks, or the smallest unstable one; absent if no step broke a criterion.
     pub criterion: Option<Criterion>,
-    /// Refused because it takes more steps than are allowed?
+    /// Whether it was refused because it takes more steps than are allowed.
     pub too_long: bool,
-    /// Its time step, or the largest stable one, s; absent where there is none.
+    /// Its time step, or the largest stable one that was found, s; absent if there is none.
     pub time_step: Option<f32>,
-    /// The smallest unstable step that was found above it, s.
+    /// The smallest unstable time step that was found above it, s.
     pub unstable_time_step: Option<f32>,
-    /// Courant numbers of `time_step`; absent where pressure is iterated, as no sound then limits the step.
+    /// Courant numbers of `time_step`; absent with a pressure solver, since the speed of sound does not limit the time
+    /// step then.
     pub courant: Option<Courant>,
-    /// Particles, those of walls too.
+    /// Number of particles, wall particles included.
     pub particles: usize,
-    /// Steps that were made, in all trials.
+    /// Number of steps made, all trials included.
     pub steps: u64,
 }
 
 /// Result of `stability`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Suite {
-    /// The scene.
+    /// Name of the scene.
     pub suite: String,
-    /// What varied.
+    /// The axes.
     pub axes: Vec<Axis>,
     /// Simulated time of each run, s.
     pub time_s: f64,
     /// All points, in the order of the axes.
     pub runs: Vec<Run>,
-    /// Why energy is not judged; absent where it is.
+    /// Why the criterion of energy growth does not apply; absent if it applies.
     pub energy_not_judged: Option<String>,
-    /// The map, where a folder was given.
+    /// File of the map; absent without an output folder.
     pub picture: Option<PathBuf>,
 }
 
-/// Longest run that one may ask for, s.
+/// Longest simulated time that may be asked for, s.
 const LONGEST: f64 = 1000.0;
 
-/// Points of a map at most: more than anybody looks at.
+/// Largest number of points of a map: more could not be read.
 const MOST_POINTS: usize = 10_000;
 
-/// Runs `stability`; false where points were left undone.
+/// Runs the study and returns whether all points were run: false if some were skipped.
 ///
 /// # Errors
-/// A scene or an axis that is none, files that cannot be written.
+/// Returns an error for an unknown scene, an invalid axis, or a file that cannot be written.
 pub fn execute(options: &Options) -> Result<bool, Failure> {
     let common = &options.common;
     let base = load(&common.scene, &common.changes)?;
     let seconds = options.time.unwrap_or(base.file.duration);
     if !(seconds > 0.0 && seconds <= LONGEST) {
-        return Err(Failure::Call(format!("--time {seconds} is not between 0 and {LONGEST} s")));
+        return Err(Failure::Call(format!("--time {seconds} must be above 0 and at most {LONGEST} seconds")));
     }
     let pool = Pool::new(common.threads)?;
     if common.scene == tower::NAME && options.axis.is_empty() {
         if options.fresh {
             return Err(Failure::Call(
-                "--fresh has no meaning for the tower, which takes seconds and keeps nothing".into(),
+                "--fresh does not apply to the tower: it takes seconds and keeps no finished points".into(),
             ));
         }
         return tower::execute(common, &base, seconds, options.most_steps, &pool);
@@ -188,11 +192,13 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
     Ok(suite.runs.iter().all(|run| !run.too_long))
 }
 
-/// Every point of the axes, its choice made.
+/// Returns the points of all combinations of values, each with its scene.
 fn points(axes: &[Axis], file: &SceneFile) -> Result<Vec<Point>, Failure> {
     let count = axes.iter().fold(1usize, |count, axis| count.saturating_mul(axis.values.len()));
     if count > MOST_POINTS {
-        return Err(Failure::Call(format!("the axes have {count} points, and a map has at most {MOST_POINTS}")));
+        return Err(Failure::Call(format!(
+            "the axes have {count} points, but a map has at most {MOST_POINTS}: give fewer values"
+        )));
     }
     let point = |choice| Ok(Point { scene: choose(file, &choice)?.scene, choice });
     choices(axes).into_iter().map(point).collect()

@@ -1,4 +1,5 @@
-//! The map as a picture: a cell a point, coloured by its largest stable time step, with the number written in.
+//! The map as a picture: one cell for each point, coloured by its largest stable time step, with the number written
+//! into it.
 use super::Suite;
 use super::axis::Axis;
 use super::map::{Cell, Map, Panel, lines};
@@ -15,16 +16,16 @@ type Drawn = Result<(), DrawingAreaErrorKind<std::io::Error>>;
 const FONT: &str = "sans-serif";
 const INK: RGBColor = RGBColor(40, 48, 56);
 const QUIET: RGBColor = RGBColor(110, 118, 126);
-/// Of cells without a stable step.
+/// Fill colour of cells without a stable time step.
 const EMPTY: RGBColor = RGBColor(232, 234, 236);
 
-/// Pixels.
+/// Sizes in pixels.
 const NARROWEST: i32 = 112;
 const CELL_HEIGHT: i32 = 54;
 const GAP: i32 = 2;
 const MARGIN: i32 = 28;
 const HEAD: i32 = 76;
-/// Room below a panel for the values of its columns and their title, and above it for its own title.
+/// Height below a panel for the values of its columns and their title, and above it for its own title.
 const FOOT: i32 = 58;
 const PANEL_TITLE: i32 = 26;
 const LETTER: i32 = 8;
@@ -34,14 +35,14 @@ const BAR: (i32, i32) = (18, 160);
 /// Draws the map.
 ///
 /// # Errors
-/// The file cannot be written.
+/// Returns an error if the file cannot be written.
 pub(super) fn draw(path: &Path, suite: &Suite, map: &Map) -> Result<(), Failure> {
     paint(path, suite, map).map_err(|e| Failure::System(format!("{}: {e}", path.display())))
 }
 
-/// Where things are.
+/// Positions and sizes, pixels.
 struct Layout {
-    /// Left side of the cells.
+    /// Left edge of the cells.
     left: i32,
     cell: (i32, i32),
     columns: i32,
@@ -76,7 +77,7 @@ fn paint(path: &Path, suite: &Suite, map: &Map) -> Drawn {
     area.present()
 }
 
-/// Room for the longest value of an axis.
+/// Returns the width of the longest value of an axis, pixels.
 fn longest(axis: &Axis) -> i32 {
     axis.values.iter().map(|name| name.chars().count()).max().unwrap_or(0) as i32 * LETTER
 }
@@ -130,7 +131,7 @@ fn draw_cell(area: &Canvas<'_>, cell: &Cell, [(x, y), size]: [(i32, i32); 2], sc
     text(area, &lines.concat(), middle, 16, ink, centre)
 }
 
-/// The colours and what they stand for, longest step on top.
+/// Draws the colour bar, with the longest time step on top.
 fn legend(area: &Canvas<'_>, scale: &Scale, (x, y): (i32, i32)) -> Drawn {
     let Some([low, high]) = scale.range else { return Ok(()) };
     for i in 0..BAR.1 {
@@ -157,9 +158,10 @@ fn text(
     area.draw_text(words, &style, place)
 }
 
-/// Steps to colours, along their logarithm. Viridis is told apart by every kind of eye, and in print.
+/// Maps time steps to colours on a logarithmic scale. The colours of Viridis can be distinguished with any kind of
+/// colour vision, and in black and white.
 struct Scale {
-    /// The shortest and the longest stable step, s; none where no step is stable.
+    /// Range of stable time steps, s; `None` if none is stable.
     range: Option<[f32; 2]>,
 }
 
@@ -172,12 +174,12 @@ impl Scale {
             })
         };
         let (low, high) = (steps().fold(f32::INFINITY, f32::min), steps().fold(0.0, f32::max));
-        // cells that are all but alike look alike
+        // values that are nearly equal get similar colours
         let room = (4.0 / (high / low)).max(1.0).sqrt();
         Scale { range: (low <= high && low > 0.0).then_some([low / room, high * room]) }
     }
 
-    /// Colours of a cell, and of what is written in it.
+    /// Returns the fill colour of a cell, and the colour of its text.
     fn colours(&self, step: f32) -> (RGBColor, RGBColor) {
         let share = match self.range {
             Some([low, high]) if step > 0.0 => f64::from((step / low).ln() / (high / low).ln()),

@@ -1,4 +1,4 @@
-//! A point of the map: run once, or bisected.
+//! Runs a point of the map: once, or by bisection.
 use super::axis::{Choice, TIME_STEP};
 use super::bisect;
 use super::classify::{Broken, CRITERIA, Criterion, TooManySteps, Trial, Verdict, classify};
@@ -10,29 +10,30 @@ use crate::output::seconds;
 use millpond_core::backend::derive::support_radius;
 use millpond_core::scene::Scene;
 
-/// Share of the support that sound crosses in the step that a bisection starts from (Monaghan 1992).
+/// Share of the support radius that sound crosses in the first time step of a bisection (Monaghan 1992).
 const FIRST_COURANT: f32 = 0.4;
 
-/// Steps that a run has at least: fewer say nothing about stability.
+/// Smallest number of steps of a run: fewer steps say nothing about stability.
 const FEWEST_STEPS: f64 = 20.0;
 
-/// The smallest step that a bisection looks at, over the first one: as small as a viscosity of 1000 Pa s asks for.
+/// Smallest time step of a bisection, over the first one: as small as a viscosity of 1000 Pa s requires.
 const SMALLEST_SHARE: f32 = 1.0 / 1024.0;
 
-/// Halvings of a step that change nothing about a density error, after which it is the fluid that is too soft, and not the
-/// step that is too long; and how much of the time of its appearance is nothing.
+/// Number of halvings of the time step without effect on the density error, after which the fluid is taken as too soft
+/// rather than the time step as too long; and the relative change of the time at which the error appears that counts as
+/// no effect.
 const HALVINGS_IN_VAIN: u32 = 3;
 const SAME_TIME: f64 = 0.05;
 
-/// A point before it is run.
+/// A point that has not been run yet.
 #[derive(Clone, Debug)]
 pub(super) struct Point {
     pub(super) choice: Choice,
-    /// With the choice made.
+    /// The scene with the values of `choice` set.
     pub(super) scene: Scene,
 }
 
-/// How far a run goes.
+/// Limits of each run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limits {
     /// Simulated time, s.
@@ -40,23 +41,23 @@ pub(super) struct Limits {
     pub(super) most_steps: u64,
 }
 
-/// Why a bisection ends without an edge.
+/// Why a bisection ends without a result.
 enum Vain {
-    /// The steps that are left are too many.
+    /// The next run would need too many steps.
     TooManySteps(TooManySteps),
-    /// Shorter steps change nothing.
+    /// The fluid is too soft: shorter time steps change nothing.
     TooSoft,
 }
 
 impl Limits {
-    /// Runs a point, or reads it back where it is finished.
+    /// Runs a point, or returns its result if it is already finished.
     ///
     /// # Errors
-    /// What the system says of the file.
+    /// Returns an error if the file of finished points cannot be written.
     pub(super) fn run(self, point: &Point, ledger: &ResumeLog) -> Result<Run, Failure> {
         let pairs: Vec<String> = point.choice.iter().map(|(name, value)| format!("{name}={value}")).collect();
         let label = pairs.join(", ");
-        // another version may step and judge in another way
+        // another version may step or judge differently
         let key = key(&label, &(&point.scene, self.seconds, env!("CARGO_PKG_VERSION"), CRITERIA))?;
         if let Some(run) = ledger.find(&key) {
             return Ok(run.clone());
@@ -82,7 +83,7 @@ impl Limits {
         Ok(run)
     }
 
-    /// One run, with the scene's own step.
+    /// Runs the scene once, with its own time step.
     fn classified(self, scene: &Scene, blank: Run) -> Run {
         let Trial { verdict, steps, particles } = classify(scene, self.seconds, self.most_steps, |_| ());
         let run = Run { steps, ..blank };
@@ -100,10 +101,10 @@ impl Limits {
         }
     }
 
-    /// As many runs as it takes to find the largest stable step.
+    /// Runs the scene as often as needed to find the largest stable time step.
     fn bisected(self, scene: &Scene, blank: Run) -> Run {
         let (mut steps_made, mut particles) = (0, 0);
-        // of the smallest step that would not do
+        // the smallest time step that failed, and its verdict
         let mut failed: Option<(f32, Verdict)> = None;
         let mut softness = Softness::default();
         let mut any = false;
@@ -123,7 +124,8 @@ impl Limits {
                 Verdict::TooManySteps(too_many) => return Err(Vain::TooManySteps(too_many)),
                 other => failed = Some((time_step, other)),
             }
-            // where a step was stable the fluid is not too soft, however alike those fail that are longer
+            // if any time step was stable, the fluid is not too soft, however similar the failures of longer time steps
+            // are
             let in_vain = !any && softness.is_shown_by(failed.as_ref().map(|(_, verdict)| verdict));
             if in_vain { Err(Vain::TooSoft) } else { Ok(false) }
         });
@@ -133,7 +135,7 @@ impl Limits {
                 (Some(broken.criterion), format!("at {}, {broken}", seconds(*step)))
             }
             Some((step, Verdict::Refused(why))) => (None, format!("at {}, {why}", seconds(*step))),
-            _ => (None, "no longer one was tried".into()),
+            _ => (None, "no longer time step was tried".into()),
         };
         let none_is = |run: Run, unstable_time_step| Run {
             outcome: Outcome::Unstable,
@@ -144,12 +146,12 @@ impl Limits {
         };
         match (found, &failed) {
             (Err(Vain::TooManySteps(too_many)), None) => Run { detail: too_many.to_string(), too_long: true, ..run },
-            // nothing longer was stable, or there would have been no need for steps as short
+            // no longer time step was stable, otherwise such short ones would not have been tried
             (Err(Vain::TooManySteps(too_many)), Some(_)) => {
                 Run { detail: format!("{too_many}; {above}"), too_long: true, criterion, ..run }
             }
             (Err(Vain::TooSoft), _) => {
-                let detail = format!("no step is stable, as shorter ones change nothing: {above}");
+                let detail = format!("no time step is stable, and shorter ones change nothing: {above}");
                 none_is(Run { detail, ..run }, failed.as_ref().map(|(step, _)| *step))
             }
             (Ok(edge), _) if edge.stable.is_some() => Run {
@@ -163,22 +165,23 @@ impl Limits {
                 ..run
             },
             (Ok(_), Some((_, Verdict::Refused(why)))) => Run { detail: why.clone(), ..run },
-            (Ok(edge), _) => none_is(Run { detail: format!("no step is stable: {above}"), ..run }, edge.unstable),
+            (Ok(edge), _) => none_is(Run { detail: format!("no time step is stable: {above}"), ..run }, edge.unstable),
         }
     }
 }
 
-/// Tells a fluid that is too soft, and is compressed too far in any step, from a step that is too long.
+/// Distinguishes a fluid that is too soft, and is compressed too far with any time step, from a time step that is too
+/// long.
 #[derive(Debug, Default)]
 struct Softness {
-    /// When the density error appeared last, s.
+    /// Simulated time at which the density error appeared in the last trial, s.
     time: Option<f64>,
-    /// Halvings that changed nothing about it.
+    /// Number of halvings that did not change it.
     in_vain: u32,
 }
 
 impl Softness {
-    /// Also counting this verdict, on a step half as long as the last one's?
+    /// Adds the verdict on half of the last time step, and returns whether the fluid is known to be too soft.
     fn is_shown_by(&mut self, verdict: Option<&Verdict>) -> bool {
         let time = match verdict {
             Some(Verdict::Unstable(Broken { criterion: Criterion::DensityError, time, .. })) => Some(*time),
@@ -191,13 +194,14 @@ impl Softness {
     }
 }
 
-/// Where a bisection starts, s: at the acoustic limit, or at the scene's own step where there is no sound to limit it.
+/// Returns the first time step of a bisection, s: from the acoustic limit, or the time step of the scene if its
+/// pressure solver removes that limit.
 fn first_step(scene: &Scene) -> f32 {
     let acoustic = fastest_sound(scene).map(|sound| FIRST_COURANT * (support_radius(scene) / sound) as f32);
     acoustic.filter(|step| step.is_normal() && *step > 0.0).unwrap_or(scene.time_step)
 }
 
-/// Of the scene's own step.
+/// Returns the Courant numbers of the scene's time step.
 fn courant(scene: &Scene) -> Option<Courant> {
     let travelled = fastest_sound(scene)? * f64::from(scene.time_step);
     let spacing = (travelled / f64::from(scene.particle_spacing)) as f32;
@@ -220,7 +224,7 @@ mod tests {
         };
         assert!(shown(&[0.5, 0.2, 0.2, 0.201, 0.2], Criterion::DensityError));
         assert!(!shown(&[0.2, 0.2, 0.2], Criterion::DensityError), "too few");
-        assert!(!shown(&[0.4, 0.2, 0.1, 0.05, 0.025], Criterion::DensityError), "so many steps, not so long a time");
+        assert!(!shown(&[0.4, 0.2, 0.1, 0.05, 0.025], Criterion::DensityError), "the time changes");
         assert!(!shown(&[0.2; 9], Criterion::EnergyGrowth));
     }
 

@@ -1,4 +1,5 @@
-//! What is finished stays finished: a line of JSON for each point, added as soon as it is done.
+//! Log of finished points, from which an interrupted study is resumed: one line of JSON for each point, appended as
+//! soon as it is finished.
 use super::Run;
 use crate::failure::Failure;
 use millpond_core::backend::hash::Fnv;
@@ -9,14 +10,14 @@ use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-/// A line of the file.
+/// A line of the log.
 #[derive(Debug, Serialize, Deserialize)]
 struct Line<R> {
     key: String,
     run: R,
 }
 
-/// The points that are finished.
+/// The finished points.
 #[derive(Debug, Default)]
 pub(super) struct ResumeLog {
     known: BTreeMap<String, Run>,
@@ -24,10 +25,10 @@ pub(super) struct ResumeLog {
 }
 
 impl ResumeLog {
-    /// Of a file, which is made where it is not there; `fresh` forgets what it holds.
+    /// Opens a log, or creates it if it does not exist. `fresh` discards its content.
     ///
     /// # Errors
-    /// What the system says.
+    /// Returns an error if the file cannot be read or written.
     pub(super) fn open(path: &Path, fresh: bool) -> Result<ResumeLog, Failure> {
         let text = match std::fs::read(path) {
             Ok(bytes) if !fresh => String::from_utf8_lossy(&bytes).into_owned(),
@@ -40,41 +41,41 @@ impl ResumeLog {
             file.set_len(0).map_err(Failure::file(path))?;
         }
         if !text.is_empty() && !text.ends_with('\n') {
-            // what was cut off stays a line of its own, and the next one is whole
+            // a truncated last line is closed, so that the next line is complete
             file.write_all(b"\n").map_err(Failure::file(path))?;
         }
         Ok(ResumeLog { known: read(&text), file: Some((path.to_owned(), Mutex::new(file))) })
     }
 
-    /// A finished point, if it is.
+    /// Returns a point if it is finished.
     pub(super) fn find(&self, key: &str) -> Option<&Run> {
         self.known.get(key)
     }
 
-    /// Adds a point.
+    /// Appends a finished point.
     ///
     /// # Errors
-    /// What the system says.
+    /// Returns an error if the file cannot be written.
     pub(super) fn add(&self, key: &str, run: &Run) -> Result<(), Failure> {
         let Some((path, file)) = &self.file else { return Ok(()) };
         let line = serde_json::to_string(&Line { key: key.to_owned(), run });
         let line = line.map_err(|e| Failure::System(e.to_string()))? + "\n";
-        // whoever panicked with it in hand had written a line, or part of one
+        // a thread that panicked with the lock held had written a line, or a part of one
         let mut file = file.lock().unwrap_or_else(PoisonError::into_inner);
         file.write_all(line.as_bytes()).map_err(Failure::file(path))
     }
 }
 
-/// The points of a text. A line that was cut off is none; of two lines of one point the later holds.
+/// Parses the points of a log. Truncated lines are ignored. If a point occurs twice, the later line counts.
 fn read(text: &str) -> BTreeMap<String, Run> {
     let lines = text.lines().filter_map(|line| serde_json::from_str::<Line<Run>>(line).ok());
     lines.map(|line| (line.key, line.run)).collect()
 }
 
-/// A point's key: its choice, and a hash of everything that decides what becomes of it.
+/// Returns the key of a point: its choice, and a hash of all settings on which its result depends.
 ///
 /// # Errors
-/// A number that JSON cannot hold.
+/// Returns an error for a number that JSON cannot represent.
 pub(super) fn key(label: &str, settings: &impl Serialize) -> Result<String, Failure> {
     let text = serde_json::to_string(settings).map_err(|e| Failure::System(e.to_string()))?;
     let hash = text.bytes().fold(Fnv::default(), |hash, byte| hash.word(u32::from(byte)));
@@ -91,7 +92,7 @@ mod tests {
             label: label.into(),
             choice: BTreeMap::from([("viscosity".to_owned(), "1".to_owned())]),
             outcome: Outcome::Stable,
-            detail: "it holds".into(),
+            detail: "it is stable".into(),
             criterion: None,
             too_long: false,
             time_step: Some(0.1),
@@ -116,8 +117,8 @@ mod tests {
         assert_eq!((ledger.find("a #1"), ledger.find("b #1")), (Some(&run("a")), None));
         ledger.add("c #1", &run("c")).expect("it can be written");
         let ledger = ResumeLog::open(&path, false).expect("it can be read");
-        assert!(ledger.find("c #1").is_some(), "what follows the cut is whole");
-        assert!(ledger.find("a #2").is_none(), "another hash is another point");
+        assert!(ledger.find("c #1").is_some(), "the line after the truncated one is complete");
+        assert!(ledger.find("a #2").is_none(), "a point with another hash is another point");
         assert!(ResumeLog::open(&path, true).expect("it can be emptied").find("a #1").is_none());
     }
 

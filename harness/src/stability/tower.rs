@@ -1,5 +1,5 @@
-//! Hinsch's analysis (section 7): a pillar of fluid in a narrow tower, its mean density error over time for three stiffnesses and
-//! for three time steps (Hinsch's figures 7.2 and 7.3).
+//! The analysis of Hinsch 2024, section 7: a column of fluid in a narrow tower, and its mean density error over time
+//! for three stiffnesses and for three time steps (figures 7.2 and 7.3).
 use super::classify::{Trial, Verdict, classify};
 use super::{Common, Outcome};
 use crate::energy::fastest_sound;
@@ -17,25 +17,25 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
-/// The suite, and its scene.
+/// Name of the suite and of its scene.
 pub(super) const NAME: &str = "tower";
 
-/// Pa; Hinsch 2024 gives no numbers. The floor is compressed by 7, 2.3 and 0.7 %.
+/// Stiffnesses, Pa (a choice: Hinsch 2024 gives no numbers). The fluid at the floor is compressed by 7, 2.3 and 0.7 %.
 const STIFFNESSES: [f32; 3] = [2e4, 6e4, 2e5];
 
-/// s. Sound crosses 0.05, 0.1 and 0.2 of the support in a step, with the stiffness in the middle.
+/// Time steps, s. With the middle stiffness sound crosses 0.05, 0.1 and 0.2 of the support in a step.
 const TIME_STEPS: [f32; 3] = [1e-4, 2e-4, 4e-4];
 
-/// What the others keep while one of the two varies.
+/// Stiffness and time step that are kept while the other of the two varies.
 const MIDDLE: (f32, f32) = (STIFFNESSES[1], TIME_STEPS[1]);
 
 /// Fields that the suite sets itself.
 const STUDIED: [&str; 2] = ["stiffness", "time_step"];
 
-/// Frequencies that are looked at between two that differ by one swing in all the time.
+/// Resolution of the spectrum: number of frequencies between two that differ by one oscillation over the whole time.
 const FINENESS: usize = 32;
 
-/// Points of a series at most.
+/// Largest number of points of a series.
 const MOST_POINTS: u64 = 500;
 
 /// Result of the suite.
@@ -44,12 +44,12 @@ struct Tower {
     suite: &'static str,
     time_s: f64,
     runs: Vec<Run>,
-    /// What is seen.
+    /// Conclusions from the runs.
     findings: Vec<String>,
     pictures: Vec<PathBuf>,
 }
 
-/// A run of it.
+/// A run of the suite.
 #[derive(Clone, Debug, Serialize)]
 struct Run {
     label: String,
@@ -58,22 +58,22 @@ struct Run {
     detail: String,
     #[serde(skip)]
     point: (f32, f32),
-    /// Mean over the second half of the time, of the magnitude of the error.
+    /// Mean magnitude of the density error over the second half of the time.
     error: Option<f64>,
-    /// Of the pillar's oscillation, s.
+    /// Period of the oscillation of the column, s.
     period_s: Option<f64>,
-    /// The same, in steps.
+    /// Period of the oscillation, in steps.
     period_steps: Option<f64>,
-    /// Period of a quarter wave of sound in a pillar on a floor, `4 H / c`, s.
+    /// Period of a quarter wave of sound in a column on a floor, `4 H / c`, s.
     quarter_wave_s: Option<f64>,
-    /// Time in s, and the relative error of the mean density, `mean(rho) / rho0 - 1`.
+    /// Series of the time, s, and the relative error of the mean density, `mean(rho) / rho0 - 1`.
     series: Vec<[f64; 2]>,
 }
 
-/// Runs the suite; false where a run was left undone.
+/// Runs the suite and returns whether all runs were made: false if one was skipped.
 ///
 /// # Errors
-/// A field that the suite sets itself, files that cannot be written.
+/// Returns an error if the caller sets a field that the suite varies, or if a file cannot be written.
 pub(super) fn execute(
     common: &Common,
     base: &LoadedScene,
@@ -86,7 +86,7 @@ pub(super) fn execute(
         STUDIED.iter().any(|studied| field == Some(studied))
     };
     if let Some(change) = common.changes.set.iter().find(own) {
-        return Err(Failure::Call(format!("--set {change} has no meaning here: it is what the suite varies")));
+        return Err(Failure::Call(format!("--set {change} is not allowed: this field is what the suite varies")));
     }
     let by_step = TIME_STEPS.into_iter().filter(|step| *step != MIDDLE.1).map(|step| (MIDDLE.0, step));
     let points: Vec<(f32, f32)> = STIFFNESSES.into_iter().map(|k| (k, MIDDLE.1)).chain(by_step).collect();
@@ -111,7 +111,7 @@ pub(super) fn execute(
     Ok(complete.into_iter().all(|complete| complete))
 }
 
-/// One run, and whether it was made at all.
+/// Makes one run. The second value is false if it was skipped.
 fn run(base: &Scene, point: (f32, f32), seconds: f64, most_steps: u64) -> (Run, bool) {
     let (stiffness, time_step) = point;
     let mut scene = base.clone();
@@ -147,25 +147,26 @@ fn run(base: &Scene, point: (f32, f32), seconds: f64, most_steps: u64) -> (Run, 
     (run, complete)
 }
 
-/// Of what stands in the tower, m.
+/// Returns the height of the column, m.
 fn height(scene: &Scene) -> f64 {
     scene.blocks.iter().map(|block| f64::from(block.size[1])).sum()
 }
 
-/// Relative error of the mean density of the fluid (Hinsch 2024, section 7).
+/// Returns the relative error of the mean density of the fluid (Hinsch 2024, section 7).
 fn error(scene: &Scene, solver: &Solver<'_>) -> f64 {
     let fluid: Vec<f64> = solver.particles().filter(|p| !p.wall && !p.inactive).map(|p| f64::from(p.density)).collect();
     tree_sum(fluid.len(), &|i| fluid[i]) / fluid.len() as f64 / f64::from(scene.fluids[0].rest_density) - 1.0
 }
 
-/// Mean magnitude over the second half of the time; none where the series ends before.
+/// Returns the mean magnitude of the error over the second half of the time, or `None` if the series ends before.
 fn late(series: &[[f64; 2]], seconds: f64) -> Option<f64> {
     let late: Vec<f64> = series.iter().filter(|[t, _]| *t > seconds / 2.0).map(|[_, error]| error.abs()).collect();
     (!late.is_empty()).then(|| tree_sum(late.len(), &|i| late[i]) / late.len() as f64)
 }
 
-/// Period of the strongest swing about the level that a series settles at, by its Fourier transform: ripples that run through
-/// the pillar do not count, as passages through the level would. None where nothing swings twice.
+/// Returns the period of the strongest oscillation about the level at which a series settles, from its Fourier
+/// transform. Counting passages through that level would also count sound waves that run through the column. Returns
+/// `None` if there are fewer than two oscillations.
 fn period(series: &[[f64; 2]]) -> Option<f64> {
     let settled = &series[series.len() / 2..];
     let level = tree_sum(settled.len(), &|i| settled[i][1]) / settled.len() as f64;
@@ -177,14 +178,14 @@ fn period(series: &[[f64; 2]]) -> Option<f64> {
         };
         part(f64::cos) + part(f64::sin)
     };
-    // from two swings in all to four points a swing
+    // from two oscillations in the whole time to four points per oscillation
     let frequencies = (2 * FINENESS..=series.len() * FINENESS / 4).map(|i| i as f64 / (FINENESS as f64 * duration));
     let all = frequencies.map(|frequency| (frequency, strength(frequency)));
     let (frequency, strongest) = all.max_by(|(_, a), (_, b)| a.total_cmp(b))?;
     (strongest > 0.0).then_some(1.0 / frequency)
 }
 
-/// The runs of a figure: the points that share the middle of the other axis, in order.
+/// Returns the runs of a figure in order: those with the middle value of the other parameter.
 fn of_figure(runs: &[Run], belongs: impl Fn((f32, f32)) -> bool) -> Vec<&Run> {
     let mut own: Vec<&Run> = runs.iter().filter(|run| belongs(run.point)).collect();
     own.sort_by(|a, b| a.point.0.total_cmp(&b.point.0).then(a.point.1.total_cmp(&b.point.1)));
@@ -199,7 +200,7 @@ fn by_step(runs: &[Run]) -> Vec<&Run> {
     of_figure(runs, |(stiffness, _)| stiffness == MIDDLE.0)
 }
 
-/// What the series show, beside what Hinsch 2024 says of its own.
+/// Describes what the series show, compared with what Hinsch 2024 finds.
 fn findings(runs: &[Run], seconds: f64) -> Vec<String> {
     let listed = |runs: &[&Run], number: fn(&Run) -> Option<f64>, show: fn(f64) -> String| -> String {
         let all: Vec<String> = runs.iter().map(|run| number(run).map_or_else(|| "none".into(), show)).collect();
@@ -209,9 +210,9 @@ fn findings(runs: &[Run], seconds: f64) -> Vec<String> {
     let (stiff, steps) = (by_stiffness(runs), by_step(runs));
     let errors: Vec<f64> = stiff.iter().filter_map(|run| run.error).collect();
     let falls = errors.len() == stiff.len() && errors.windows(2).all(|pair| pair[1] < pair[0]);
-    let verdict = if falls { "as Hinsch 2024 finds: a larger k holds the density better" } else { "not in order of k" };
+    let verdict = if falls { "falling with k, as in Hinsch 2024" } else { "which does not fall with k" };
     let first = format!(
-        "Over the second half of {seconds} s the density is off by {} for k = {} Pa, {verdict}.",
+        "Over the second half of {seconds} s the density error is {} for k = {} Pa, {verdict}.",
         listed(&stiff, |run| run.error, percent),
         STIFFNESSES.map(|k| k.to_string()).join(", "),
     );
@@ -222,12 +223,12 @@ fn findings(runs: &[Run], seconds: f64) -> Vec<String> {
             (periods.iter().fold(f64::INFINITY, |a, b| a.min(*b)), periods.iter().fold(0.0f64, |a, b| a.max(*b)));
         let apart = (high / low - 1.0) * 100.0;
         let verdict = if apart < 10.0 {
-            "the lower frequency that Hinsch 2024 sees with smaller steps is one per step, and in seconds the pillar swings alike"
+            "the lower frequency with smaller time steps in Hinsch 2024 is one per step; in seconds it is the same"
         } else {
             "the time step changes the oscillation itself"
         };
         found.push(format!(
-            "For dt = {} the pillar swings once in {} steps, which is {}: the periods are {apart:.1} % apart, so {verdict}.",
+            "For dt = {} the column's period is {} steps, or {}: the periods differ by {apart:.1} %, so {verdict}.",
             TIME_STEPS.map(readable).join(", "),
             listed(&steps, |run| run.period_steps, |n| format!("{n:.0}")),
             listed(&steps, |run| run.period_s, |t| format!("{t:.4} s")),
@@ -235,11 +236,11 @@ fn findings(runs: &[Run], seconds: f64) -> Vec<String> {
     } else {
         found.push("Not every time step shows an oscillation.".into());
     }
-    found.push(format!("The density is off by {} for these steps.", listed(&steps, |run| run.error, percent)));
+    found.push(format!("The density error is {} for these time steps.", listed(&steps, |run| run.error, percent)));
     found
 }
 
-/// Hinsch's two figures, the second of them over steps as over seconds.
+/// Draws figures 7.2 and 7.3 of Hinsch 2024, the second one over steps and over seconds.
 fn pictures(folder: &Path, runs: &[Run]) -> Result<Vec<PathBuf>, Failure> {
     let line = |run: &Run, label: String, unit: f64| {
         let points = run.series.iter().map(|[time, error]| [time / unit, *error]).collect();
@@ -254,8 +255,8 @@ fn pictures(folder: &Path, runs: &[Run]) -> Result<Vec<PathBuf>, Failure> {
     let error = "relative error of the mean density";
     let all = [
         ("tower-stiffness.svg", "tower: three stiffnesses", "time, s", stiff),
-        ("tower-time-step.svg", "tower: three time steps, by the step", "step", steps(true)),
-        ("tower-time-step-seconds.svg", "tower: three time steps, by the second", "time, s", steps(false)),
+        ("tower-time-step.svg", "tower: three time steps, over steps", "step", steps(true)),
+        ("tower-time-step-seconds.svg", "tower: three time steps, over seconds", "time, s", steps(false)),
     ];
     let mut paths = Vec::new();
     for (name, title, x, lines) in all {
@@ -267,8 +268,9 @@ fn pictures(folder: &Path, runs: &[Run]) -> Result<Vec<PathBuf>, Failure> {
 }
 
 fn words(tower: &Tower) -> String {
-    let mut out = format!("# {NAME}: the density of a pillar over {} s (Hinsch 2024, section 7)\n\n", tower.time_s);
-    out += "| run | outcome | density error | period, s | 4 H / c, s | period, steps | |\n| --- | --- | --- | --- | --- | --- | --- |\n";
+    let mut out = format!("# {NAME}: the density of a column over {} s (Hinsch 2024, section 7)\n\n", tower.time_s);
+    out += "| run | outcome | density error | period, s | 4 H / c, s | period, steps | |\n\
+            | --- | --- | --- | --- | --- | --- | --- |\n";
     for run in &tower.runs {
         let outcome = run.outcome.name();
         let number =
@@ -305,10 +307,10 @@ mod tests {
             [time, 0.02 - 0.01 * (-2.0 * time).exp() * (time * TAU / 0.2).cos() + ripple]
         };
         let series: Vec<[f64; 2]> = (0..1000).map(swing).collect();
-        let found = period(&series).expect("it swings");
+        let found = period(&series).expect("it oscillates");
         assert!((found / 0.2 - 1.0).abs() < 0.01, "{found}");
         let rest: Vec<[f64; 2]> = (0..100).map(|i| [f64::from(i), 1.0]).collect();
         assert_eq!((period(&rest), period(&[])), (None, None), "rest has no period");
-        assert_eq!(late(&series, 5.0), None, "a series that ended early");
+        assert_eq!(late(&series, 5.0), None, "a series that ends early");
     }
 }

@@ -1,4 +1,4 @@
-//! Steps a dam break in static memory with nothing but core, and prints the state hash.
+//! Steps a dam break in static memory, using only core, and prints the state hash.
 #![no_std]
 #![no_main]
 
@@ -17,7 +17,7 @@ unsafe extern "C" {
 
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
-    // SAFETY: ends the process.
+    // SAFETY: `abort` only ends the process.
     unsafe { abort() }
 }
 

@@ -1,4 +1,4 @@
-//! What `tests/bare` steps, and `tests/core_stands_alone.rs` beside it.
+//! The scene that `tests/bare` and `tests/core_stands_alone.rs` both step.
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     Block, Container, Correction, DensityForm, Dimension, EquationOfState, Evaluation, Fluid, Formulation, Grid,
@@ -6,12 +6,12 @@ use millpond_core::scene::{
     WallPressure,
 };
 
-/// A thousand particles in the corner of a box.
+/// Returns a scene of a thousand particles in the corner of a box.
 pub fn scene() -> Scene {
     let water = Fluid { speed_of_sound: 20.0, dynamic_viscosity: 2.0, ..Fluid::default() };
     let block = Block { size: Vec3::splat(0.5), jitter: 0.02, ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, water, block);
-    // every formula is named, so that the known bits outlive any change of a default
+    // every formula is named, so that a change of a default does not change the known bits
     scene.model = Formulation {
         integrator: Integrator::ModifiedVelocityVerlet,
         reevaluate: false,

@@ -1,3 +1,3 @@
-//! Where the lattice has particles: in blocks of fluid, and in the layers of walls.
+//! Lattice positions of the particles at the start: in blocks of fluid, and in the layers of walls.
 pub(crate) mod lattice;
 pub(crate) mod walls;

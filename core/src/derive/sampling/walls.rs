@@ -1,11 +1,12 @@
-//! Where the particles of walls are: layers of the fluid's own lattice, outside of it.
+//! Positions of wall particles: layers that continue the lattice of the fluid beyond its boundary.
 use super::lattice::{indices, volume, whole};
 use crate::derive::material::FIRST_WALL;
 use crate::derive::scales::Scales;
 use crate::scene::{Face, InitialParticle, Scene, Wall, WallPressure, WallShape};
 use glam::Vec3;
 
-/// Layers of a wall: Hinsch's two with mirrored pressure, Pirovano's three as quasi-fluid; more where the support reaches further.
+/// Layers of particles in a wall: two with mirrored pressure (Hinsch 2024, section 6.3), three as dynamic boundary
+/// particles (Pirovano, section 3.5.3); more if the support radius reaches further.
 pub(crate) fn wall_layers(scene: &Scene, scales: &Scales) -> u32 {
     let least = match scene.model.wall_pressure {
         WallPressure::Mirrored => 2,
@@ -16,15 +17,15 @@ pub(crate) fn wall_layers(scene: &Scene, scales: &Scales) -> u32 {
     least.max((reach.min(64.0) + 0.5) as u32)
 }
 
-/// A wall as boxes of lattice: low corner and counts of each.
+/// A wall as a box of lattice positions: its low corner and its counts.
 struct Layers {
     low: [f64; 3],
     counts: [u64; 3],
-    /// What of it is hollow: offset and counts along each axis.
+    /// The hollow part of the box: offset and counts along each axis.
     hollow: Option<([u64; 3], [u64; 3])>,
 }
 
-/// Of a wall that is so many layers thick.
+/// The box of a wall with this number of layers.
 fn layers_of(wall: &Wall, scene: &Scene, layers: u32) -> Layers {
     let d = scene.dimension.count();
     let spacing = f64::from(scene.particle_spacing);
@@ -68,12 +69,12 @@ impl Layers {
     }
 }
 
-/// Particles of a wall.
+/// Number of particles of a wall.
 pub(crate) fn wall_count(wall: &Wall, scene: &Scene, layers: u32) -> u64 {
     layers_of(wall, scene, layers).particles()
 }
 
-/// Every particle of the walls.
+/// All wall particles.
 pub(crate) fn wall_particles(scene: &Scene, layers: u32) -> impl Iterator<Item = InitialParticle> {
     let spacing = f64::from(scene.particle_spacing);
     scene.walls.iter().enumerate().flat_map(move |(i, wall)| {

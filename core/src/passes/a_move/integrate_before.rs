@@ -1,5 +1,5 @@
-//! First half of the integrator: to where the forces are evaluated. The new slots are not known yet, so the moved particles wait in
-//! the old ones.
+//! First half of the integrator: advances particles to the positions at which forces are evaluated. The particles are
+//! not sorted yet, so the results stay in the old slots, in `moved_position` and `moved_velocity`.
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::level::Work;
 use crate::arithmetic::real::real;
@@ -32,7 +32,8 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     executor.run(&mut jobs, work);
 }
 
-/// Compiled once, in this crate: see [`PairPass::work`](crate::passes::pairs::PairPass::work).
+/// Runs a job. This function is compiled once, in this crate: see
+/// [`PairPass::work`](crate::passes::pairs::PairPass::work).
 fn work(job: &mut Job<'_>) {
     let simd = job.setup.simd;
     simd.run(job);
@@ -43,7 +44,7 @@ impl Work for &mut Job<'_> {
     fn run<R: Lanes>(self) {
         let Setup { model: m, parameters: p, materials, uniform: u, .. } = self.setup;
         let old = self.old;
-        // mass and kind go with them
+        // copies mass and material, which are the fourth numbers
         self.moved_position.copy_from_slice(&old.position[self.slots.clone()]);
         self.moved_velocity.copy_from_slice(&old.velocity[self.slots.clone()]);
         for first in self.slots.clone().step_by(R::LANES) {

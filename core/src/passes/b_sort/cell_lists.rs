@@ -1,9 +1,10 @@
-//! The CUDA design's cells (Pirovano, section 4.4.2): each particle takes a place of its cell. Only with cell lists.
+//! Enters each particle into the list of its cell, which has a fixed number of places (the CUDA design, Pirovano,
+//! section 4.4.2). Runs only with cell lists.
 use crate::layout::NONE;
 use crate::memory::Sorting;
 use crate::passes::context::{Step, sorting};
 
-/// Fills `grid_cells`; notes a cell that has too few places.
+/// Fills `grid_cells`. Records a cell that has too few places.
 pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) {
     let Sorting { cell, rank, .. } = sorting!(step);
     let status = &mut step.found.status;
@@ -12,7 +13,8 @@ pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) {
     status.cell_count = if status.cell_full == NONE { 0 } else { counters[status.cell_full as usize] };
 }
 
-/// Fills `grid_cells`, `places` a cell; returns the smallest cell that has too few, or [`NONE`].
+/// Fills `grid_cells` with `places` entries per cell. Returns the smallest index of a cell with too few places, or
+/// [`NONE`].
 fn fill(cell: &[u32], rank: &[u32], places: u32, grid_cells: &mut [u32]) -> u32 {
     let mut full = NONE;
     for (slot, (&cell, &rank)) in cell.iter().zip(rank).enumerate() {

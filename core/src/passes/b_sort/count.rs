@@ -1,7 +1,9 @@
-//! The cell that each particle comes to, how many particles each cell gets, and how many of its cell were counted before each.
+//! Finds the cell of each particle, the number of particles in each cell, and the rank of each particle within its
+//! cell: the number of particles of that cell that were counted before it.
 //!
-//! Counting is serial: it is one increment a particle. On a GPU the ranks depend on who comes first; `sort_by_id` undoes that.
-//! Inactive particles come to the last cell, wherever they lie.
+//! Counting is serial, since it takes only one increment per particle. On a GPU the ranks depend on the order of
+//! threads; the pass `sort_by_id` removes that dependence. Inactive air particles go to the last cell, whatever their
+//! position.
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::level::Work;
 use crate::executor::{Executor, Jobs, parts, shares, take};
@@ -19,11 +21,11 @@ struct Job<'a> {
     velocity: &'a [f32x4],
     id: &'a [u32],
     cell: &'a mut [u32],
-    /// Smallest `4 id + axis` beyond the grid's range.
+    /// Smallest `4 id + axis` of a coordinate outside the range of the grid, or [`NONE`].
     out_of_range: u32,
 }
 
-/// Fills `cell`, `rank` and the counters.
+/// Fills `cell`, `rank` and the counters of the cells.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let Sorting { moved_position, moved_velocity, cell, rank, .. } = sorting!(step);
     step.found.status.out_of_range =
@@ -33,7 +35,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     }
 }
 
-/// Fills `cell`; returns the smallest `4 id + axis` out of range, or [`NONE`].
+/// Fills `cell`. Returns the smallest `4 id + axis` of a coordinate out of range, or [`NONE`].
 fn find(
     setup: Setup<'_>,
     executor: &impl Executor,
@@ -52,7 +54,8 @@ fn find(
     jobs.iter().map(|job| job.out_of_range).min().unwrap_or(NONE)
 }
 
-/// Compiled once, in this crate: see [`PairPass::work`](crate::passes::pairs::PairPass::work).
+/// Runs a job. This function is compiled once, in this crate: see
+/// [`PairPass::work`](crate::passes::pairs::PairPass::work).
 fn work(job: &mut Job<'_>) {
     let simd = job.setup.simd;
     simd.run(job);
@@ -74,7 +77,7 @@ impl Work for &mut Job<'_> {
 }
 
 impl Job<'_> {
-    /// Fills in the cells of these particles.
+    /// Finds the cells of these particles without SIMD, and records coordinates out of range.
     #[inline(never)]
     fn one_by_one(&mut self, particles: Range<usize>) {
         let Setup { model: m, parameters: p, materials, .. } = self.setup;

@@ -1,4 +1,5 @@
-//! An array into the slots after the step, so that members of a cell stand side by side. Runs once for each array that a step sorts.
+//! Moves an array from the slots before the step into the slots after it, so that the particles of a cell lie side by
+//! side. Runs once for each array that a step sorts.
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::layout::f32x4;
 use crate::memory::Sorting;
@@ -11,12 +12,12 @@ struct Job<'a> {
     out: &'a mut [f32x4],
 }
 
-/// Moves the array that the command names: one of the old state, or of what the step works in, to one of the new state or of what the
-/// step works in.
+/// Moves the array that the command names. The source is in the old state or among the sorting arrays, and the
+/// destination is in the new state or in the scratch memory.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let Step { old, new, scratch, executor, command, .. } = step;
     let Command::Gather { from: (from, side), to } = *command else { return };
-    // apart from what the step works in, of which another array may be written
+    // taken out of the scratch memory, because another of its arrays may be written
     let lists = core::mem::take(&mut scratch.neighbours);
     let sorting = Sorting::of(lists, old.id.len());
     let from = if side == Side::Old { old.words(from) } else { sorting.words(from) };

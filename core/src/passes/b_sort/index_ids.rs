@@ -1,4 +1,4 @@
-//! The slot of each particle, by id.
+//! Records the slot of each particle, by id.
 use crate::passes::context::Step;
 
 /// Fills `slot_of_id`.

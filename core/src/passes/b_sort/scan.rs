@@ -1,4 +1,4 @@
-//! First slot of each cell: the running sum of the counts (Hinsch 2024, section 6.2).
+//! Finds the first slot of each cell: the running sum of the counts (Hinsch 2024, section 6.2).
 use crate::passes::context::Step;
 
 /// Fills `cell_start`.

@@ -1,8 +1,10 @@
-//! Ascending id inside each cell: the order of every sum, whatever the grid, its structure and the past.
+//! Sorts the particles of each cell by ascending id. This fixes the order in which sums over neighbours are added up,
+//! whatever the number of cells, the grid structure and earlier steps.
 //!
-//! Inactive particles stay unsorted: nothing is ever summed over them, and there may be many in their one cell.
+//! Inactive air particles stay unsorted: no sum includes them, and their one cell may hold many of them.
 //!
-//! Insertion sort: a cell holds few particles, and most of them stood in this order before.
+//! The pass uses insertion sort, because a cell holds few particles, most of which were in this order in the step
+//! before.
 use crate::executor::{Executor, Jobs, parts, take};
 use crate::grid::is_limbo;
 use crate::memory::Sorting;
@@ -34,7 +36,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
         let mut next = job.first_slot;
         while next < end {
             if places == 0 {
-                // who lies there knows the cell: no need to pass by the empty ones
+                // the cell of the particle in the next slot is known, so empty cells need no visit
                 cell = cell_of[cell_members[next] as usize] as usize;
             }
             while cells.counter[cell] == 0 {
@@ -60,7 +62,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     });
 }
 
-/// Fills `sorted` with `unsorted` by `old_id`, and `id` with the sorted ids.
+/// Fills `sorted` with the slots in `unsorted`, in the order of their ids in `old_id`, and `id` with the sorted ids.
 fn sort(old_id: &[u32], unsorted: &[u32], sorted: &mut [u32], id: &mut [u32]) {
     for (i, &slot) in unsorted.iter().enumerate() {
         let key = old_id[slot as usize];

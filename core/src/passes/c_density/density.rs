@@ -1,4 +1,4 @@
-//! Density of each particle from its neighbours, and the pressures that follow.
+//! Computes the density of each particle from its neighbours, and the pressures and volume that follow from it.
 use crate::arithmetic::lanes::{Lanes, Slots};
 use crate::arithmetic::real::{less, real, select, vec3};
 use crate::executor::Executor;
@@ -22,7 +22,8 @@ use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use crate::terms::state::{pressure_close, pressure_of_state};
 use crate::terms::wall::{MIRRORED, mass_seen};
 
-/// Fills `density_pressure`, and where density follows from distances alone, `neighbours`.
+/// Fills `density_pressure`. Where density depends on distances only, the pass also finds the neighbours and fills
+/// `neighbours`.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (setup, executor) = (step.setup, step.executor);
     let (particles, cells) = (particles!(step but density), cells!(step));
@@ -39,13 +40,13 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     }
 }
 
-/// Deviation, pressure, near pressure, volume.
+/// Computes density deviation `rho / rho0 - 1`, pressure, near pressure and volume.
 struct Density<'a> {
-    /// Density and pressures before the step, where it needs them.
+    /// Density and pressures before the step. Empty if the model does not need them.
     previous: &'a [f32x4],
 }
 
-/// The receivers, as far as density needs them.
+/// The receivers, with the data that density needs.
 struct Receivers<'a, R> {
     setup: &'a Setup<'a>,
     particles: Particles<'a>,
@@ -56,7 +57,8 @@ struct Receivers<'a, R> {
 }
 
 impl<R: Lanes> Receivers<'_, R> {
-    /// What neighbours add to the three sums: of density or its rate, of the near density, of the number density.
+    /// Returns the contributions of neighbours to three sums: of density or its rate, of near density, and of number
+    /// density.
     #[inline(always)]
     fn add(&self, slots: &Slots) -> [R; 4] {
         let Setup { model: m, parameters: p, materials, columns, uniform: u, tables: t, .. } = *self.setup;
@@ -66,7 +68,7 @@ impl<R: Lanes> Receivers<'_, R> {
         let [vx, vy, vz, material] =
             if needs_velocity { R::gather(self.particles.velocity, slots) } else { [none, none, none, none] };
         let of_properties = |i: usize| of_material(self.setup, &materials.properties, &columns.properties, material, i);
-        // over that of a particle of the first fluid
+        // mass over that of a particle of the first fluid at rest
         let mass_b = if m.is_multi_fluid == 0 {
             mass
         } else {
@@ -78,7 +80,7 @@ impl<R: Lanes> Receivers<'_, R> {
         if !is_stepped(m) {
             return of_neighbour(self.setup, mass_b, q2, scale);
         }
-        // where the pair was in the middle of the step
+        // `x_ab` in the middle of the step
         let v_ab = self.velocity - vec3(vx, vy, vz);
         let x_ab = x_ab - v_ab * real(u.half_time_step);
         beside(self.setup, continuity_neighbour(m, p, t, x_ab, v_ab, mass_b, scale), mass_b, q2, scale)
@@ -140,7 +142,8 @@ impl Visit for Density<'_> {
     }
 }
 
-/// The same where the sums are made: they stand where density and pressure are to be.
+/// Computes the same quantities with the half stencil: the sums are complete already, and stand in the entries that the
+/// results go to.
 struct Summed<'a>(Density<'a>);
 
 impl PairPass for Summed<'_> {
@@ -156,7 +159,7 @@ impl PairPass for Summed<'_> {
 }
 
 impl Density<'_> {
-    /// What follows from the sums.
+    /// Computes the results from the sums.
     #[inline(always)]
     fn close<R: Lanes>(&self, group: &Group<'_>, sums: [R; 4], own: &mut [f32x4]) {
         let (setup, particles) = (group.setup, group.particles);

@@ -1,5 +1,6 @@
-//! The neighbours of each particle, itself among them, in the order of its sums: all passes over pairs walk these
-//! lists. Where density follows from distances alone, they are found while it is summed, in the next pass.
+//! Finds the neighbours of each particle, including itself, in the order in which sums are added up. All passes over
+//! pairs read these lists. Where density depends on distances only, this pass does not run: the density pass finds the
+//! neighbours while it sums the density.
 use crate::arithmetic::lanes::Lanes;
 use crate::executor::Executor;
 use crate::layout::f32x4;
@@ -24,7 +25,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     );
 }
 
-/// Nothing else is done with them.
+/// A visitor that does nothing: the pass only fills the lists.
 struct NoVisit;
 
 impl Visit for NoVisit {

@@ -1,4 +1,4 @@
-//! Support radius of each particle from its density before the step. Only with variable supports.
+//! Computes the support radius of each particle from its density before the step. Runs only with variable supports.
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::level::Work;
 use crate::executor::{Executor, Jobs, parts, shares, take};
@@ -25,7 +25,8 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     step.executor.run(&mut jobs, work);
 }
 
-/// Compiled once, in this crate: see [`PairPass::work`](crate::passes::pairs::PairPass::work).
+/// Runs a job. This function is compiled once, in this crate: see
+/// [`PairPass::work`](crate::passes::pairs::PairPass::work).
 fn work(job: &mut Job<'_>) {
     let simd = job.setup.simd;
     simd.run(job);

@@ -1,4 +1,5 @@
-//! Which particles of liquid nothing covers: the gradient of the colour of all fluids together tells. Only with air.
+//! Finds the liquid particles at the free surface, by the gradient of the colour of all fluids together. Runs only with
+//! air.
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{less, real, select, vec3};
 use crate::executor::Executor;
@@ -11,18 +12,19 @@ use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::air::{is_exposed, total_gradient};
 use crate::terms::geometry::flush3;
 
-/// Fills the gradients.
+/// Fills `total_colour_gradient`.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
     pairs::run(step.setup, step.executor, particles, cells, lists, &Exposure, step.scratch.total_colour_gradient);
 }
 
-/// The gradient of the colour of all that is there, and in w whether the particle is exposed: liquid, with nothing beside it.
+/// Computes the gradient of the colour of all active particles. In w it stores 1 for an exposed particle, a liquid
+/// particle with no particles on one of its sides, and 0 for all others.
 struct Exposure;
 
 impl PairPass for Exposure {
     fn work(job: &mut Job<'_, Self>) {
-        // usual scenes have no air
+        // the specialised variants are for scenes without air
         by_model::run_general(job);
     }
 

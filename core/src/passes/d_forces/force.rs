@@ -1,5 +1,5 @@
-//! Acceleration of each particle: pressure, viscosity and what acts from outside; without pressure where that is iterated
-//! later.
+//! Computes the acceleration of each particle by pressure, viscosity and external forces. Where pressure is iterated
+//! later, pressure is left out.
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{div, real, vec3};
 use crate::executor::Executor;
@@ -17,7 +17,7 @@ use crate::terms::neighbour::{acceleration_close, force_neighbour};
 use crate::terms::pair::{Local, density_ratio};
 use crate::terms::wall::if_free;
 
-/// Fills the accelerations, or those without pressure.
+/// Fills the accelerations, or those without pressure where pressure is iterated.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
     let corrects = step.setup.model.corrects_pressure();
@@ -30,7 +30,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     }
 }
 
-/// What acts on each particle.
+/// Computes the acceleration of each particle.
 struct Force;
 
 impl PairPass for Force {
@@ -57,7 +57,7 @@ impl PairPass for Force {
     }
 }
 
-/// Acceleration by the summed force density, by what velocities exchange, and by what acts from outside.
+/// Computes the acceleration from the summed force density, the exchange of velocities and external forces.
 #[inline(always)]
 fn close<R: Lanes>(group: &Group<'_>, a: Local<R>, force: vec3<R>, own: &mut [f32x4]) {
     let setup = group.setup;
@@ -79,7 +79,8 @@ fn close<R: Lanes>(group: &Group<'_>, a: Local<R>, force: vec3<R>, own: &mut [f3
     R::rows([x, y, z, real(0.0)], own);
 }
 
-/// The same where forces are summed: they stand where accelerations are to be.
+/// Computes the same accelerations with the half stencil: the forces are summed already, and stand in the entries that
+/// the results go to.
 struct Summed;
 
 impl PairPass for Summed {

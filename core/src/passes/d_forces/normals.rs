@@ -1,5 +1,5 @@
-//! Inward normal of the surface of each particle's fluid, and its curvature where that follows from the same colour. Only
-//! where a tension or the host needs them.
+//! Computes the inward surface normal of each particle's fluid, and the curvature where it follows from the colour of
+//! that fluid. Runs only where a surface tension or the caller needs normals.
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::real::{less, real, select, vec3};
 use crate::executor::Executor;
@@ -18,7 +18,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     pairs::run(step.setup, step.executor, particles, cells, lists, &Normals, step.new.normal);
 }
 
-/// The gradient of the colour, and in w the curvature.
+/// Computes the gradient of the colour, and the curvature in w.
 struct Normals;
 
 impl PairPass for Normals {

@@ -1,10 +1,11 @@
-//! Lengths at rest of springs after the step. Only where they change: with plasticity, or springs that break.
+//! Computes the rest lengths of springs after the step. Runs only where they change: with plasticity, or with springs
+//! that break.
 use super::springs::springs;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::passes::context::Step;
 use crate::terms::elastic::spring_given_way;
 
-/// Fills the ends of springs.
+/// Fills `spring_ends` of the new state.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (setup, springs) = (step.setup, springs!(step));
     let mut rest = &mut *step.new.spring_ends;

@@ -1,7 +1,7 @@
-//! Acceleration by the springs of elastic fluids, added to all else. Only with springs.
+//! Adds the acceleration by the springs of elastic fluids to the other accelerations. Runs only with springs.
 //!
-//! Each particle walks its own ends, in the order of the ids at the other ends: two ends of a spring compute the same pull from
-//! the same numbers, and so the same length at rest for the next step.
+//! Each particle processes its own spring ends, in the order of the ids at the other ends. The two ends of a spring
+//! compute the same force from the same numbers, and so the same rest length for the next step.
 use crate::arithmetic::real::vec3;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::layout::{f32x4, u32x2, u32x4};
@@ -11,7 +11,7 @@ use crate::terms::geometry::flush3;
 use crate::terms::pair::separation;
 use core::ops::Range;
 
-/// The particles, in their slots, and their springs, by id.
+/// The particles, by slot, and their springs, by id.
 #[derive(Clone, Copy)]
 pub(crate) struct Springs<'a> {
     pub position: &'a [f32x4],
@@ -21,7 +21,7 @@ pub(crate) struct Springs<'a> {
     pub ends: &'a [u32x2],
 }
 
-/// The springs of a step: a macro, since a function would borrow the whole of the state.
+/// Returns the springs of a step. This is a macro because a function would borrow the whole state.
 macro_rules! springs {
     ($step:ident) => {
         $crate::passes::d_forces::springs::Springs {
@@ -36,7 +36,7 @@ macro_rules! springs {
 pub(crate) use springs;
 
 impl Springs<'_> {
-    /// Way from the other end of a spring to this particle.
+    /// Returns the vector from the other end of a spring to this particle.
     pub(crate) fn separation_from(&self, setup: &Setup<'_>, x_a: f32x4, other: u32) -> vec3<f32> {
         let x_b = self.position[self.slot_of_id[other as usize] as usize];
         separation(setup.model, setup.parameters, vec3::splat(x_a), vec3::splat(x_b))
@@ -47,7 +47,7 @@ impl Springs<'_> {
         first as usize..(first + count) as usize
     }
 
-    /// Its acceleration by all of its springs.
+    /// Returns the acceleration of a particle by all of its springs.
     fn pulled(&self, setup: &Setup<'_>, slot: usize) -> vec3<f32> {
         let (x_a, id) = (self.position[slot], self.id[slot]);
         let pull = f32::from_bits(self.ranges[id as usize][2]);
@@ -59,7 +59,7 @@ impl Springs<'_> {
     }
 }
 
-/// Adds to the accelerations, or to those without pressure.
+/// Adds to the accelerations, or to those without pressure where pressure is iterated.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (setup, springs) = (step.setup, springs!(step));
     let corrects = setup.model.corrects_pressure();

@@ -1,4 +1,5 @@
-//! Acceleration by the curvature of the surface, added to all else. Only with a tension by curvature.
+//! Adds the acceleration by the curvature of the surface to the other accelerations. Runs only with a surface tension
+//! that depends on curvature.
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{less, real, select, vec3};
 use crate::executor::Executor;
@@ -11,7 +12,7 @@ use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::geometry::flush3;
 use crate::terms::tension::{NORMAL_CURVATURE, curvature_of_normals, normal_divergence, tension_close};
 
-/// Adds to the accelerations, or to those without pressure.
+/// Adds to the accelerations, or to those without pressure where pressure is iterated.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
     let corrects = step.setup.model.corrects_pressure();
@@ -19,7 +20,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     pairs::run(step.setup, step.executor, particles, cells, lists, &Tension { normal: step.new.normal }, out);
 }
 
-/// Adds to the accelerations, and leaves the curvature in w.
+/// Adds to the accelerations, and stores the curvature in w.
 struct Tension<'a> {
     normal: &'a [f32x4],
 }

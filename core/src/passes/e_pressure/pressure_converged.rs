@@ -1,7 +1,8 @@
-//! Is the pressure good enough? Only where it is corrected.
+//! Checks whether the pressure iteration has converged. Runs only with pressure correction.
 use crate::passes::context::Step;
 
-/// Counts the iteration, and ends them where the largest miss is within the tolerance. One that is not finite never is.
+/// Counts the iteration. The pressure has converged if the largest density error is within the tolerance. A residual
+/// that is not finite never converges.
 pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) {
     step.found.iterations += 1;
     step.found.converged = step.found.residual <= step.setup.parameters.tolerance;

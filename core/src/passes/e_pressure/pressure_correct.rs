@@ -1,4 +1,5 @@
-//! One iteration of pressure: how far the next density would miss, and what mends it. Only where pressure is corrected.
+//! Computes one iteration of pressure: predicts the density error of the next step, and corrects the pressure for it.
+//! Runs only with pressure correction.
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{less, real, select};
 use crate::executor::Executor;
@@ -13,7 +14,7 @@ use crate::terms::density::{continuity_neighbour, deviation_rate};
 use crate::terms::pair::{pair_scale, separation};
 use crate::terms::wall::{MIRRORED, mass_seen};
 
-/// Corrects the pressures, and notes the largest miss.
+/// Corrects the pressures, and records the largest density error.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, cells, lists) = (particles!(step but density), cells!(step), lists!(step));
     let pass = PressureCorrect { acceleration: step.new.acceleration };
@@ -21,7 +22,8 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     step.found.residual = f32::from_bits(residual);
 }
 
-/// Corrects the pressures of `density_pressure`; returns the largest miss, as the bits of a number that is not negative.
+/// Corrects the pressures in `density_pressure`. Returns the largest density error as the bits of a number that is not
+/// negative.
 struct PressureCorrect<'a> {
     acceleration: &'a [f32x4],
 }

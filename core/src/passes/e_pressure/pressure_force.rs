@@ -1,4 +1,5 @@
-//! Acceleration by the pressure of an iteration, added to all else. Only where pressure is corrected.
+//! Adds the acceleration by the pressure of an iteration to the other accelerations. Runs only with pressure
+//! correction.
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{real, vec3};
 use crate::executor::Executor;
@@ -19,7 +20,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     pairs::run(step.setup, step.executor, particles, cells, lists, &pass, step.new.acceleration);
 }
 
-/// Makes accelerations of `free`, those without pressure.
+/// Computes accelerations from `non_pressure`, the accelerations without pressure.
 struct PressureForce<'a> {
     non_pressure: &'a [f32x4],
 }

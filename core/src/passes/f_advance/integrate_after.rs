@@ -1,4 +1,4 @@
-//! Second half of the integrator, then the walls.
+//! Second half of the integrator, followed by the penalty planes.
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::level::Work;
 use crate::arithmetic::real::{less, real, vec3};
@@ -24,10 +24,10 @@ struct Job<'a> {
     predicted_velocity: &'a [f32x4],
 }
 
-/// Finishes positions, velocities and what is remembered of the step.
+/// Finishes positions, velocities and the history of the integrator.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (setup, new) = (step.setup, &mut *step.new);
-    // a step that only evaluates forces has the arrays, and nothing in them
+    // an evaluation of forces without a step has the arrays of its scene, but does not fill them
     let if_needed = |needed: bool, array| if needed { array } else { &[][..] };
     let start_acceleration = if_needed(needs_start_acceleration(setup.model), &*step.scratch.start_acceleration);
     let predicted_velocity = if_needed(needs_predicted_velocity(setup.model), &*step.scratch.end_velocity);
@@ -50,7 +50,8 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     step.executor.run(&mut jobs, work);
 }
 
-/// Compiled once, in this crate: see [`PairPass::work`](crate::passes::pairs::PairPass::work).
+/// Runs a job. This function is compiled once, in this crate: see
+/// [`PairPass::work`](crate::passes::pairs::PairPass::work).
 fn work(job: &mut Job<'_>) {
     let simd = job.setup.simd;
     simd.run(job);
@@ -85,7 +86,8 @@ impl Work for &mut Job<'_> {
                         let normal = vec3::splat(*plane);
                         let depth = depth_if_free(m, depth_behind(x, normal, real(plane[3])), wall);
                         if !has_history(m) && !R::any(less(real(0.0), depth)) {
-                            // nobody is behind it: all that a plane then does is to flush, and that once
+                            // no particle in the lanes is behind the plane, so it only flushes denormals, once for all
+                            // planes
                             if !is_flushed {
                                 (v, x) = (flush3(v), flush3(x));
                             }
@@ -100,7 +102,7 @@ impl Work for &mut Job<'_> {
                         }
                     }
                 }
-                // boxed, lest LLVM carry the loop above in the shape of the store
+                // `black_box` keeps LLVM from carrying these values through the loop above in the layout of the store
                 store_xyz(&mut self.position[first..end], core::hint::black_box(x));
             }
             if has_history(m) {

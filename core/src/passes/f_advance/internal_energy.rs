@@ -1,4 +1,4 @@
-//! Thermal energy of each particle. Only where a scene keeps account of it.
+//! Advances the internal energy of each particle. Runs only where a scene tracks internal energy.
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{less, real, select};
 use crate::executor::Executor;
@@ -11,16 +11,16 @@ use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::exchange::{exchange_close, exchange_share};
 use crate::terms::heat::{exchange_heat, heat_close, heat_neighbour, heat_stepped};
 
-/// Steps the energies.
+/// Advances the internal energies.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
     let pass = InternalEnergy { ahead: step.scratch.end_velocity };
     pairs::run(step.setup, step.executor, particles, cells, lists, &pass, step.new.internal_energy);
 }
 
-/// Steps entries that are the energy and its rate before the step.
+/// Advances entries that hold the internal energy and its rate before the step.
 struct InternalEnergy<'a> {
-    /// Velocities at the end of the step: forces worked along these.
+    /// Velocities at the end of the step, with which the work of the forces is computed.
     ahead: &'a [f32x4],
 }
 
@@ -29,7 +29,7 @@ impl PairPass for InternalEnergy<'_> {
         by_model::run_one_material_or_general(job);
     }
 
-    /// As fresh as whoever is made of it next.
+    /// Sets inactive air particles to the internal energy that new air particles start with.
     fn absent(&self, setup: &Setup<'_>, own: &mut [f32x4]) {
         own.fill([setup.parameters.air_heat, 0.0, 0.0, 0.0]);
     }
@@ -58,7 +58,7 @@ impl PairPass for InternalEnergy<'_> {
         }
         let [energy, rate_before, z, w] = own_numbers::<R>(own);
         let stepped = heat_stepped(u, energy, rate_before, rate);
-        // a wall keeps no account
+        // walls have no internal energy
         let is_wall = less(none, a.wall);
         let of = |before: R, after: R| select(after, before, is_wall);
         R::rows([of(energy, stepped), of(rate_before, rate), of(z, none), of(w, none)], own);

@@ -1,5 +1,5 @@
-//! Velocities at the end of the step, before there are any. Only for passes over pairs that need them beside those that forces
-//! are evaluated with.
+//! Predicts the velocities at the end of the step. Runs only where passes over pairs need these in addition to the
+//! velocities that forces are evaluated with.
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::level::Work;
 use crate::executor::{Executor, Jobs, parts, shares, take};
@@ -17,7 +17,7 @@ struct Job<'a> {
     predicted_velocity: &'a mut [f32x4],
 }
 
-/// Fills `end_velocity`, materials being its fourth numbers.
+/// Fills `end_velocity`, with the material as the fourth number.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let new = &*step.new;
     let start_acceleration =
@@ -38,7 +38,8 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     step.executor.run(&mut jobs, work);
 }
 
-/// Compiled once, in this crate: see [`PairPass::work`](crate::passes::pairs::PairPass::work).
+/// Runs a job. This function is compiled once, in this crate: see
+/// [`PairPass::work`](crate::passes::pairs::PairPass::work).
 fn work(job: &mut Job<'_>) {
     let simd = job.setup.simd;
     simd.run(job);

@@ -1,8 +1,9 @@
-//! Beside which particles of liquid air is to be made. Only with air.
+//! Finds the liquid particles beside which an air particle is to be made. Runs only with air.
 //!
-//! A bare particle wants one a spacing away, where nothing is near; of several that want it at nearly one place, the one of the
-//! smallest id. Who could be in the way is found around that place, not around the particle: across a gap the others may be
-//! further away than a support. Few are bare, so no lanes.
+//! An exposed particle requests an air particle one spacing away, if no particle is near that position. If several
+//! particles request air at nearly the same position, the one with the smallest id gets it. Particles that could be in
+//! the way are searched around the requested position, not around the exposed particle: across a gap they may be
+//! further away than a support radius. Few particles are exposed, so the pass does not use SIMD.
 use crate::arithmetic::real::vec3;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::grid::{Cells, Stencil, cell_of};
@@ -12,12 +13,12 @@ use crate::passes::pairs::cells;
 use crate::terms::air::{is_taken, place_of_birth};
 use crate::terms::boundary::depth_behind;
 
-/// The particles, in their slots.
+/// The particles, by slot.
 #[derive(Clone, Copy)]
 struct Liquid<'a> {
     sorted: Cells<'a>,
     position: &'a [f32x4],
-    /// Gradient of the colour of all fluids together; w: is it exposed?
+    /// Gradient of the colour of all fluids together; w: 1 for an exposed particle, else 0.
     gradient: &'a [f32x4],
     id: &'a [u32],
 }
@@ -28,13 +29,13 @@ impl Liquid<'_> {
         place_of_birth(setup.model, setup.parameters, x, normal)
     }
 
-    /// Slots of all that can be near a place; none of one beyond the grid's range.
+    /// Returns the cells around a position, or `None` if the position is outside the range of the grid.
     fn around(&self, setup: &Setup<'_>, place: vec3<f32>) -> Option<Stencil> {
         let cell = cell_of(setup.parameters, [place.x, place.y, place.z, 0.0]).ok()?;
         Some(Stencil::around(setup.parameters, setup.model.is_3d as i32, self.sorted, cell as usize))
     }
 
-    /// Is nothing near that place, and no penalty wall before it?
+    /// Returns whether no particle is near a position and the position is not behind a penalty plane.
     fn is_free(&self, setup: &Setup<'_>, place: vec3<f32>, around: &Stencil) -> bool {
         let (m, p) = (setup.model, setup.parameters);
         let planes = if m.has_container == 1 { p.plane_count as usize } else { 0 };
@@ -43,7 +44,7 @@ impl Liquid<'_> {
         !p.planes[..planes].iter().any(behind) && !around.runs().flatten().any(taken)
     }
 
-    /// Is air to be made beside the particle in this slot?
+    /// Returns whether an air particle is to be made beside the particle in this slot.
     fn wants_spawn(&self, setup: &Setup<'_>, a: usize) -> bool {
         if self.gradient[a][3] == 0.0 {
             return false;

@@ -1,4 +1,5 @@
-//! XSPH: the velocity that each particle moves with in the next step, beside its own. Only with XSPH.
+//! Computes the XSPH velocity: the velocity that each particle moves with in the next step, in addition to its own.
+//! Runs only with XSPH.
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{real, vec3};
 use crate::executor::Executor;
@@ -18,7 +19,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     pairs::run(step.setup, step.executor, particles, cells, lists, &pass, step.new.xsph_velocity);
 }
 
-/// With the velocities at the end of the step.
+/// Computes XSPH velocities from the velocities at the end of the step.
 struct Xsph<'a> {
     predicted_velocity: &'a [f32x4],
 }

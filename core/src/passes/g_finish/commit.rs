@@ -1,17 +1,20 @@
-//! What becomes of a step: it counts, or it failed and says why.
+//! Ends a step: the step is accepted, or it fails with an error.
 use crate::axis::Axis;
 use crate::error::StepError;
 use crate::layout::{MOST_ATTEMPTS, NONE, QUANTITIES_OF_ID, Status};
 use crate::passes::context::Step;
 use crate::plan::arrays::Quantity;
 
-/// Nothing on the CPU: the interpreter looks at what was found.
+/// Does nothing on the CPU, where the interpreter of the schedule checks the results itself.
 pub(crate) fn run<E>(_: &mut Step<'_, '_, E>) {}
 
-/// The error that a status tells of, of the pass that came first; `places` is a cell's.
+/// Returns the error that a status records. If it records several, the error of the earliest pass is returned. `places`
+/// is the number of places of a cell, with cell lists.
 ///
 /// # Errors
-/// That one.
+/// [`StepError::OutOfRange`] if a particle left the range of the grid, [`StepError::CellFull`] if a cell held more
+/// particles than places, [`StepError::NotFinite`] if a number of the new state is not finite, and
+/// [`StepError::NoTimeStep`] if a step was still too long after [`MOST_ATTEMPTS`] attempts.
 pub fn verdict(status: &Status, places: u32) -> Result<(), StepError> {
     let step = u64::from(status.steps) + 1;
     if status.out_of_range != NONE {

@@ -1,4 +1,5 @@
-//! The largest speed, acceleration and speed of sound: what the next time step follows from. Only where it does.
+//! Finds the largest speed, acceleration and speed of sound, which determine the next time step. Runs only with
+//! adaptive time steps.
 use crate::arithmetic::real::vec3;
 use crate::executor::{Executor, Jobs, parts, shares};
 use crate::layout::f32x4;

@@ -1,8 +1,10 @@
-//! Air is made where the pass before the last said, and vanishes where it is thin. Only with air.
+//! Makes air particles where the pass `spawn_requests` requested them, and removes those whose density is too low. Runs
+//! only with air.
 //!
-//! In the order of the ids, so that no slot decides who becomes whom: the k-th birth takes the k-th particle that was not there
-//! before this step. Who vanishes now is free from the next step on, when the other passes have forgotten what it was. Serial: one
-//! look at each id.
+//! Requests are processed in the order of the ids, so that the result does not depend on slots: the k-th request gets
+//! the k-th particle that was inactive before this step. A particle that is removed in this step can be used from the
+//! next step on, when the data of its past is gone from the other passes too. The pass is serial, and visits each id
+//! once.
 use crate::arithmetic::real::vec3;
 use crate::derive::material::INACTIVE;
 use crate::layout::f32x4;
@@ -12,7 +14,7 @@ use crate::passes::lanes::is_inactive;
 use crate::terms::air::{is_thin, place_of_birth};
 use core::ops::Range;
 
-/// Makes and removes air; counts the requests for which no particle was left.
+/// Makes and removes air particles, and counts the requests for which no inactive particle was left.
 pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) {
     let (m, p, new) = (step.setup.model, step.setup.parameters, &mut *step.new);
     let (gradient, requested) = (&*step.scratch.total_colour_gradient, &*step.scratch.spawn_requested);
@@ -38,12 +40,12 @@ pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) {
     }
 }
 
-/// Slot of the next particle, in the order of the ids, beside which air is wanted.
+/// Returns the slot of the next particle, in the order of the ids, beside which air is requested.
 fn next_parent(ids: &mut Range<usize>, slot_of_id: &[u32], requested: &[u32]) -> Option<usize> {
     ids.map(|id| slot_of_id[id] as usize).find(|&slot| requested[slot] == 1)
 }
 
-/// A particle without a past.
+/// Resets a particle to rest density, without pressure or acceleration, and with this velocity and material.
 fn set(rest_volume: f32, new: &mut State<'_>, slot: usize, velocity: f32x4) {
     new.velocity[slot] = velocity;
     new.acceleration[slot] = [0.0; 4];

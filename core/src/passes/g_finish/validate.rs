@@ -1,4 +1,4 @@
-//! Is an array of the new state finite? Runs once for each.
+//! Checks that an array of the new state is finite. Runs once for each array.
 use crate::executor::{Executor, Jobs, parts, shares};
 use crate::layout::{NONE, QUANTITIES_OF_ID, f32x4};
 use crate::passes::context::Step;
@@ -11,7 +11,7 @@ struct Job<'a> {
     not_finite: u32,
 }
 
-/// Notes the smallest id, and of one id the first array, that is not finite.
+/// Records the smallest id of a particle with a number that is not finite and, for that id, the first such array.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     let Command::Validate(array) = step.command else { return };
     let (entries, id): (&[f32x4], _) = (bytemuck::cast_slice(step.new.words(array)), &*step.new.id);
@@ -21,7 +21,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
     }
     step.executor.run(&mut jobs, |job| {
         for (entry, &id) in job.array.iter().zip(job.id) {
-            // no short cut: the usual case, nothing wrong, is free of branches
+            // no early exit, so that the usual case, in which all numbers are finite, has no branches
             if !entry.iter().fold(true, |fine, x| fine & x.is_finite()) {
                 job.not_finite = job.not_finite.min(id);
             }

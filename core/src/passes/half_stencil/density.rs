@@ -1,4 +1,4 @@
-//! The sums of density, each pair once. Only with the half stencil.
+//! The sums of density with the half stencil, where each pair is computed once.
 use super::{Job, Others, PairSum, run};
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::real::real;
@@ -13,7 +13,7 @@ use crate::terms::density::counts_masses;
 use crate::terms::pair::Local;
 use crate::terms::wall::mass_seen;
 
-/// Fills in the sums of density, of the near density and of the number density.
+/// Fills `sums` with the sums of density, near density and number density.
 pub(crate) fn sum_once(
     setup: Setup<'_>,
     executor: &impl Executor,
@@ -21,7 +21,7 @@ pub(crate) fn sum_once(
     cells: Cells<'_>,
     sums: &mut [f32x4],
 ) {
-    // a particle is its own neighbour, but makes no pair with itself
+    // a particle is its own neighbour, but the loop over pairs does not include the particle itself
     for (slot, sum) in sums.iter_mut().enumerate() {
         let a: Local<f32> = particles.receivers(&setup, slot, slot);
         *sum = of_neighbour(&setup, mass_seen(setup.model, a.rest_ratio, a.mass, a.rest_ratio, a.wall), 0.0, 1.0);
@@ -40,7 +40,7 @@ impl PairSum for Sums {
     fn of_pairs<R: Lanes>(&self, setup: &Setup<'_>, a: Local<R>, others: Others<'_>, q2: R) -> [[R; 4]; 2] {
         let one = real(1.0);
         if !counts_masses(setup.model) {
-            // whoever they are
+            // the contribution does not depend on the particles' masses
             return [of_neighbour(setup, one, q2, one); 2];
         }
         let b: Local<R> = others.known(setup);

@@ -1,4 +1,5 @@
-//! The forces between particles in newtons, each pair once: action is reaction. Only with the half stencil.
+//! The forces between particles in newtons, with the half stencil. Each pair is computed once, and its forces are equal
+//! and opposite.
 use super::{Job, Others, PairSum, run};
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::real::{real, vec3};
@@ -11,7 +12,7 @@ use crate::passes::local::Particles;
 use crate::terms::neighbour::force_neighbour;
 use crate::terms::pair::Local;
 
-/// Fills in the force on each particle.
+/// Fills `sums` with the force on each particle, N.
 pub(crate) fn sum_once(
     setup: Setup<'_>,
     executor: &impl Executor,
@@ -33,7 +34,7 @@ impl PairSum for Forces {
     #[inline(always)]
     fn of_pairs<R: Lanes>(&self, setup: &Setup<'_>, a: Local<R>, others: Others<'_>, _: R) -> [[R; 4]; 2] {
         let (m, p, t) = (setup.model, setup.parameters, setup.tables);
-        // a force density times the volume that it acts on
+        // force density times the volume of the particle that it acts on
         let vec3 { x, y, z } = force_neighbour(m, p, t, a, others.known(setup)) * a.volume;
         let none = real(0.0);
         [[x, y, z, none], [-x, -y, -z, none]]

@@ -1,9 +1,12 @@
-//! Each pair once (Gourlay): from what a pair adds to one of its particles follows what it adds to the other.
+//! The half stencil (Gourlay): each pair is computed once, and its contribution is added to both particles.
 //!
-//! A plane of cells looks ahead to the next plane, and so writes to both. Planes that do not write to the same particles are
-//! worked on side by side: first the even ones, then the odd ones, and at the end the last plane, alone, which looks ahead to the
-//! first. The order in which a particle's sum grows follows from this and from the grid, never from the number of threads. The
-//! price is that work is shared out by planes, however many particles each of them holds.
+//! The grid is cut into planes of cells. A plane is paired with the next plane, so its job writes to both. Planes that
+//! do not write to the same particles are processed in parallel: first the even ones, then the odd ones. The last
+//! plane, whose next plane is the first one, follows at the end, alone. The order in which the sum of a particle is
+//! added up depends on this scheme and on the grid, but never on the number of threads. The disadvantage is that work
+//! is divided by planes, however many particles each plane holds.
+//!
+//! The cells "ahead" of a cell are the half of its surrounding cells that it is paired with ([`ahead`]).
 
 pub(crate) mod density;
 pub(crate) mod force;
@@ -24,17 +27,17 @@ use crate::terms::pair::{Local, separation, squared_ratio};
 use core::array;
 use core::ops::Range;
 
-/// A sum over pairs that act on both of their particles.
+/// A sum over pairs, which contribute to both of their particles.
 pub(crate) trait PairSum: Sync + Sized {
-    /// Does a job: see [`PairPass::work`](super::pairs::PairPass::work).
+    /// Runs a job: see [`PairPass::work`](super::pairs::PairPass::work).
     fn work(job: &mut Job<'_, Self>);
 
-    /// What pairs of one particle add to its sums, and to those of the others, `q2` being their squared distances over the
-    /// squared support.
+    /// Returns the contributions of the pairs of particle `a`: first those to `a`, then those to the other particles.
+    /// `q2` holds the squared distances over the squared support radius.
     fn of_pairs<R: Lanes>(&self, setup: &Setup<'_>, a: Local<R>, others: Others<'_>, q2: R) -> [[R; 4]; 2];
 }
 
-/// The other particles of some pairs.
+/// The other particles of some pairs of one particle.
 #[derive(Clone, Copy)]
 pub(crate) struct Others<'a> {
     particles: &'a Particles<'a>,
@@ -42,30 +45,31 @@ pub(crate) struct Others<'a> {
 }
 
 impl Others<'_> {
-    /// What the pair terms know of them.
+    /// Returns the data of the particles that the pair terms use.
     #[inline(always)]
     pub(crate) fn known<R: Lanes>(self, setup: &Setup<'_>) -> Local<R> {
         self.particles.neighbours(setup, self.slots)
     }
 }
 
-/// Planes that are worked on one after the other, in steps of two; the sums of all particles that they write to.
+/// A job: every second plane from `first` on, one after the other, and the sums of all particles that they write to.
 pub(crate) struct Job<'a, S> {
     setup: Setup<'a>,
     particles: Particles<'a>,
     cells: Cells<'a>,
     sum: &'a S,
     planes: Planes,
-    /// The first, and how many.
+    /// The first plane, and the number of planes.
     first: usize,
     count: usize,
-    /// Sums of the particles in these planes and in the next one, from this slot on.
+    /// The first slot and the sums of the particles in these planes and in the planes that follow each of them.
     own: (usize, &'a mut [f32x4]),
-    /// Sums of particles elsewhere, from this slot on: for the last plane, those of the first.
+    /// The first slot and the sums of other particles: those of the first plane in the job of the last plane, else
+    /// none.
     others: (usize, &'a mut [f32x4]),
 }
 
-/// Adds to the sums what all pairs add; a particle makes no pair with itself.
+/// Adds the contributions of all pairs to the sums. The pair of a particle with itself is not included.
 pub(crate) fn run<S: PairSum>(
     setup: Setup<'_>,
     executor: &impl Executor,
@@ -76,7 +80,7 @@ pub(crate) fn run<S: PairSum>(
 ) {
     let planes = Planes::of(setup.parameters, setup.model.is_3d);
     for parity in 0..2 {
-        // those of this parity, but for the last of all
+        // planes of this parity, without the last plane of the grid
         let count = (planes.count - parity) / 2;
         let mut jobs = Jobs::new();
         let (mut rest, mut passed) = (&mut *sums, 0);
@@ -109,7 +113,7 @@ pub(crate) fn run<S: PairSum>(
 }
 
 impl<S: PairSum> Job<'_, S> {
-    /// The sum of the particle in a slot.
+    /// Returns the sum of the particle in a slot.
     #[inline(always)]
     fn of(&mut self, slot: usize) -> &mut f32x4 {
         let (first, own) = &mut self.own;
@@ -145,7 +149,7 @@ impl<'a, S: PairSum> PairJob<'a> for Job<'a, S> {
     }
 }
 
-/// Who may be a neighbour of a cell's particles, and who is.
+/// The candidates of a cell, and the neighbours of one of its particles.
 struct Near {
     candidates: Candidates,
     codes: [u32; ROOM],
@@ -153,7 +157,7 @@ struct Near {
 }
 
 impl<S: PairSum> Job<'_, S> {
-    /// Gathers the members of a cell and of those ahead; not all of them, where they are too many.
+    /// Gathers the particles of a cell and of the cells ahead. They stay incomplete if there are too many.
     #[inline(always)]
     fn gather<R: Lanes>(&self, setup: &Setup<'_>, cell: usize, candidates: &mut Candidates) {
         candidates.clear();
@@ -165,7 +169,7 @@ impl<S: PairSum> Job<'_, S> {
         candidates.close();
     }
 
-    /// Adds up the pairs of a particle with those of its own cell that come after it, and with those of the cells ahead.
+    /// Adds the pairs of a particle with the later particles of its own cell, and with those of the cells ahead.
     #[inline(always)]
     fn with_those_ahead<R: Lanes>(
         &mut self,
@@ -186,7 +190,7 @@ impl<S: PairSum> Job<'_, S> {
         if count <= MOST_LISTED {
             for first in (0..count).step_by(R::LANES) {
                 let pairs = (count - first).min(R::LANES);
-                // there is room for all lanes behind the last one
+                // the buffers have room for all lanes after the last neighbour
                 let others = array::from_fn(|lane| near.codes[first + lane]);
                 let q2 = array::from_fn(|lane| near.q2[first + lane]);
                 self.add::<R>(setup, own, &mut sum, pairs, &others, &q2);
@@ -204,7 +208,8 @@ impl<S: PairSum> Job<'_, S> {
         *self.of(a) = sum;
     }
 
-    /// Adds what pairs with the first few of these others add to the sum of a particle, and to those of the others.
+    /// Adds the contributions of the pairs of a particle with the first `pairs` of these others, to the sum of the
+    /// particle and to those of the others.
     #[inline(always)]
     fn add<R: Lanes>(
         &mut self,
@@ -234,7 +239,7 @@ impl<S: PairSum> Job<'_, S> {
     }
 }
 
-/// Runs of slots: these of a cell itself, and those of the cells ahead.
+/// Returns runs of slots: `own`, which is a part of the cell, and those of the cells ahead.
 #[inline(always)]
 fn runs(setup: &Setup<'_>, cells: Cells<'_>, cell: usize, own: Range<usize>) -> impl Iterator<Item = Range<usize>> {
     core::iter::once(own).chain(ahead(setup.parameters, setup.model.is_3d, cells, cell))

@@ -1,8 +1,10 @@
-//! The integrators (Pirovano, section 2.3.1 with the errata), one family a file, and which of them a scene takes.
+//! The integrators (Pirovano, section 2.3.1, corrected), one family per file, and the selection of the scene's
+//! integrator.
 //!
-//! A step of each is: [`moved`] and [`velocity_for_forces`], the forces there, [`velocity_after`], [`position_after`] and
-//! [`history_after`]. `a` and `history` are those of the beginning of the step. What is remembered of the steps before is, with
-//! [`VERLET`], the last displacement, and with the three of Beeman the acceleration before.
+//! A step of each consists of [`moved`] and [`velocity_for_forces`], the evaluation of forces, [`velocity_after`],
+//! [`position_after`] and [`history_after`]. `a` and `history` are the values at the beginning of the step. The history
+//! is the last displacement with [`VERLET`], and the acceleration of the previous step with the three Beeman
+//! integrators.
 use super::geometry::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters, StepUniform};
@@ -20,28 +22,28 @@ use euler::*;
 use leapfrog::*;
 use verlet::*;
 
-/// Pirovano eq. 2.33.
+/// Modified velocity Verlet (Pirovano, eq. 2.33, corrected).
 pub const MODIFIED_VELOCITY_VERLET: u32 = 0;
-/// Pirovano eq. 2.29.
+/// Forward Euler (Pirovano, eq. 2.29).
 pub const EULER: u32 = 1;
-/// Pirovano eq. 2.30.
+/// Semi-implicit Euler (Pirovano, eq. 2.30).
 pub const SEMI_IMPLICIT_EULER: u32 = 2;
-/// Pirovano eq. 2.31.
+/// Verlet (Pirovano, eq. 2.31, corrected).
 pub const VERLET: u32 = 3;
-/// Pirovano eq. 2.32.
+/// Velocity Verlet (Pirovano, eq. 2.32).
 pub const VELOCITY_VERLET: u32 = 4;
-/// Pirovano eq. 2.34.
+/// Leapfrog (Pirovano, eq. 2.34, corrected).
 pub const LEAPFROG: u32 = 5;
-/// Pirovano eq. 2.35.
+/// Prediction and relaxation (Clavet et al. 2005; Pirovano, eq. 2.35, corrected).
 pub const PREDICTION_RELAXATION: u32 = 6;
-/// Pirovano eq. 2.36.
+/// Beeman (Pirovano, eq. 2.36, corrected).
 pub const BEEMAN: u32 = 7;
-/// Pirovano eq. 2.37.
+/// Velocity-corrected Beeman (Pirovano, eq. 2.37).
 pub const VELOCITY_CORRECTED_BEEMAN: u32 = 8;
-/// Pirovano eq. 2.38.
+/// Position-corrected Beeman (Pirovano, eq. 2.38, corrected).
 pub const POSITION_CORRECTED_BEEMAN: u32 = 9;
 
-/// Does it remember the acceleration before?
+/// Returns whether the integrator uses the acceleration of the previous step.
 #[inline(always)]
 pub fn is_beeman(m: &Model) -> bool {
     return m.integrator == BEEMAN
@@ -49,37 +51,38 @@ pub fn is_beeman(m: &Model) -> bool {
         || m.integrator == POSITION_CORRECTED_BEEMAN;
 }
 
-/// Does it remember something of the steps before?
+/// Returns whether the integrator uses a quantity of the previous step.
 #[inline(always)]
 pub fn has_history(m: &Model) -> bool {
     return m.integrator == VERLET || is_beeman(m);
 }
 
-/// Does the end of its step need the acceleration at the beginning?
+/// Returns whether the end of a step needs the acceleration at the start of the step.
 #[inline(always)]
 pub fn needs_start_acceleration(m: &Model) -> bool {
     return has_history(m) || m.integrator == VELOCITY_VERLET || m.integrator == LEAPFROG;
 }
 
-/// Does it move particles once more after the forces?
+/// Returns whether the integrator moves particles once more after the forces are evaluated.
 #[inline(always)]
 pub fn moves_again(m: &Model) -> bool {
     return m.integrator == PREDICTION_RELAXATION || m.integrator == POSITION_CORRECTED_BEEMAN;
 }
 
-/// Are forces evaluated with the very velocity that a step ends with?
+/// Returns whether forces are evaluated with the velocity at the end of the step.
 #[inline(always)]
 pub fn knows_velocity(m: &Model) -> bool {
     return m.integrator == EULER || m.integrator == SEMI_IMPLICIT_EULER;
 }
 
-/// Do passes over pairs need the velocities at the end of a step before there are any?
+/// Returns whether pair passes need the velocities at the end of the step before the second half of the integrator
+/// runs.
 #[inline(always)]
 pub fn needs_predicted_velocity(m: &Model) -> bool {
     return m.has_internal_energy == 1 || m.has_xsph == 1 || m.is_reevaluated == 1;
 }
 
-/// Where forces are evaluated, m.
+/// Returns the position at which forces are evaluated, m.
 #[inline(always)]
 pub fn moved<R: Real>(m: &Model, u: &StepUniform, x: vec3<R>, v: vec3<R>, a: vec3<R>, history: vec3<R>) -> vec3<R> {
     let dt: R = real(u.time_step);
@@ -108,7 +111,7 @@ pub fn moved<R: Real>(m: &Model, u: &StepUniform, x: vec3<R>, v: vec3<R>, a: vec
     return flush3(euler_position(x, modified_verlet_kick(v, a, half_dt), dt));
 }
 
-/// With which velocity, m/s.
+/// Returns the velocity with which forces are evaluated, m/s.
 #[inline(always)]
 pub fn velocity_for_forces<R: Real>(m: &Model, u: &StepUniform, v: vec3<R>, a: vec3<R>, history: vec3<R>) -> vec3<R> {
     let half_dt: R = real(u.half_time_step);
@@ -124,7 +127,7 @@ pub fn velocity_for_forces<R: Real>(m: &Model, u: &StepUniform, v: vec3<R>, a: v
     return v;
 }
 
-/// Velocity at the end of the step, m/s, from the one that the forces were evaluated with.
+/// Returns the velocity at the end of the step, m/s. `v` is the velocity with which forces were evaluated.
 #[inline(always)]
 pub fn velocity_after<R: Real>(
     m: &Model,
@@ -163,7 +166,7 @@ pub fn velocity_after<R: Real>(
     return flush3(modified_verlet_kick(v, new_a, half_dt));
 }
 
-/// Position at the end of the step, m, from where the forces were evaluated.
+/// Returns the position at the end of the step, m. `x` is the position at which forces were evaluated.
 #[inline(always)]
 pub fn position_after<R: Real>(
     m: &Model,
@@ -183,7 +186,7 @@ pub fn position_after<R: Real>(
     return x;
 }
 
-/// What the next step is to remember.
+/// Returns the history for the next step.
 #[inline(always)]
 pub fn history_after<R: Real>(m: &Model, u: &StepUniform, a: vec3<R>, history: vec3<R>) -> vec3<R> {
     if m.integrator == VERLET {
@@ -192,7 +195,7 @@ pub fn history_after<R: Real>(m: &Model, u: &StepUniform, a: vec3<R>, history: v
     return a;
 }
 
-/// What a step is to remember of a particle that a wall has just turned, or that has only begun to move.
+/// Returns the history of a particle that a wall has just reflected, or that has not made a step yet.
 #[inline(always)]
 pub fn history_turned<R: Real>(m: &Model, u: &StepUniform, v: vec3<R>, new_a: vec3<R>, history: vec3<R>) -> vec3<R> {
     if m.integrator == VERLET {
@@ -201,7 +204,8 @@ pub fn history_turned<R: Real>(m: &Model, u: &StepUniform, v: vec3<R>, new_a: ve
     return history;
 }
 
-/// What a step is to remember where it is so many times as long as the one before: of [`VERLET`] the displacement at the same velocity.
+/// Returns the history for a step that is `times` as long as the previous one. With [`VERLET`] that is the displacement
+/// at the unchanged velocity.
 #[inline(always)]
 pub fn history_rescaled<R: Real>(m: &Model, history: vec3<R>, times: R) -> vec3<R> {
     if m.integrator == VERLET {
@@ -210,25 +214,25 @@ pub fn history_rescaled<R: Real>(m: &Model, history: vec3<R>, times: R) -> vec3<
     return history;
 }
 
-/// `v + a dt`, m/s.
+/// Returns `v + a dt`, m/s.
 #[inline(always)]
 pub fn kick<R: Real>(velocity: vec3<R>, acceleration: vec3<R>, dt: R) -> vec3<R> {
     return flush3(euler_velocity(velocity, acceleration, dt));
 }
 
-/// `x + v dt`, m.
+/// Returns `x + v dt`, m.
 #[inline(always)]
 pub fn drift<R: Real>(position: vec3<R>, velocity: vec3<R>, dt: R) -> vec3<R> {
     return flush3(euler_position(position, velocity, dt));
 }
 
-/// A coordinate, back inside its period.
+/// Maps a coordinate back into its period.
 #[inline(always)]
 pub fn wrapped<R: Real>(x: R, low: f32, period: f32, inverse_period: f32) -> R {
     return x - floor((x - low) * inverse_period) * period;
 }
 
-/// A position, back inside a periodic domain.
+/// Maps a position back into a periodic domain.
 #[inline(always)]
 pub fn wrap<R: Real>(m: &Model, p: &Parameters, position: vec3<R>) -> vec3<R> {
     if m.is_periodic == 0 {

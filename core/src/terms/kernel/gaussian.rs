@@ -1,10 +1,10 @@
-//! The Gaussian (Gingold and Monaghan 1977; Pirovano eq. 2.42, Gourlay table 1), `exp(-9 q^2)`, cut off at q = 1, where e^-9 of it
-//! remains, and normalised with that cut.
+//! The Gaussian (Gingold and Monaghan 1977; Pirovano, eq. 2.42; Gourlay, table 1), `exp(-9 q^2)`. It is cut off at
+//! q = 1, where its value is e^-9, and normalised with that cutoff.
 use super::if_inside;
 use crate::arithmetic::real::*;
 
-/// `exp(-y)` for y from 0 to 9, to some 2e-6 of itself: `exp(y / 32)` by its series, to the power of -32. The languages'
-/// own exponentials agree on no bits.
+/// Returns `exp(-y)` for y from 0 to 9, with a relative error of about 2e-6: the series of `exp(y / 32)`, to the power
+/// of -32. The built-in exponentials of Rust and WGSL do not agree bit for bit.
 #[inline(always)]
 pub fn exp_of_minus<R: Real>(y: R) -> R {
     let one: R = real(1.0);
@@ -18,19 +18,19 @@ pub fn exp_of_minus<R: Real>(y: R) -> R {
     return div(one, e16 * e16);
 }
 
-/// The value, from q^2.
+/// Kernel value, from q^2.
 #[inline(always)]
 pub fn gaussian_w<R: Real>(q2: R) -> R {
     return if_inside(q2, exp_of_minus(q2 * 9.0));
 }
 
-/// `18 q exp(-9 q^2)`.
+/// Slope `18 q exp(-9 q^2)`.
 #[inline(always)]
 pub fn gaussian_slope<R: Real>(q: R) -> R {
     return gaussian_w(q * q) * q * 18.0;
 }
 
-/// `(324 q^2 - 18) exp(-9 q^2)`.
+/// Curvature `(324 q^2 - 18) exp(-9 q^2)`.
 #[inline(always)]
 pub fn gaussian_curvature<R: Real>(q: R) -> R {
     let q2 = q * q;

@@ -1,6 +1,6 @@
-//! Smoothing kernels without their constants, as functions of `q = r / support_radius`, zero from q = 1 on: the value w, the
-//! falling slope `-dw/dq`, and the curvature `d2w/dq2`. The constants, which depend on the dimension, follow by quadrature
-//! (`kernel.rs`, one level up).
+//! Smoothing kernels without their constants, as functions of `q = r / support_radius`, zero from q = 1 on. Each kernel
+//! has a value w, a slope `-dw/dq`, which is positive where the kernel falls, and a curvature `d2w/dq2`. The constants
+//! depend on the dimension and are computed by quadrature (`derive/kernel_constants.rs`).
 use crate::arithmetic::real::*;
 use crate::layout::Model;
 
@@ -25,39 +25,40 @@ use viscosity::*;
 use wendland_c2::*;
 use wendland_c4::*;
 
-/// [`poly6`].
+/// The [`poly6`] kernel.
 pub const POLY6: u32 = 0;
-/// [`spiky`].
+/// The [`spiky`] kernel.
 pub const SPIKY: u32 = 1;
-/// [`cubic_spline`].
+/// The [`cubic_spline`] kernel.
 pub const CUBIC_SPLINE: u32 = 2;
-/// [`gaussian`].
+/// The [`gaussian`] kernel.
 pub const GAUSSIAN: u32 = 3;
-/// [`lucy`].
+/// The [`lucy`] kernel.
 pub const LUCY: u32 = 4;
-/// [`viscosity`].
+/// The [`viscosity`] kernel.
 pub const VISCOSITY: u32 = 5;
-/// [`clavet`].
+/// The [`clavet`] kernel.
 pub const CLAVET: u32 = 6;
-/// [`wendland_c2`].
+/// The [`wendland_c2`] kernel.
 pub const WENDLAND_C2: u32 = 7;
-/// [`wendland_c4`].
+/// The [`wendland_c4`] kernel.
 pub const WENDLAND_C4: u32 = 8;
 
-/// `1 - q`, cut off at zero.
+/// Returns `1 - q`, or 0 where that is negative.
 #[inline(always)]
 pub fn inside<R: Real>(q: R) -> R {
     let one: R = real(1.0);
     return larger(one - q, real(0.0));
 }
 
-/// `x` inside the support, 0 from its edge on.
+/// Returns `x` inside the support, 0 from its edge on.
 #[inline(always)]
 pub fn if_inside<R: Real>(q: R, x: R) -> R {
     return select(real(0.0), x, less(q, real(1.0)));
 }
 
-/// Value of the chosen kernel from q^2: some then need no root. The viscosity kernel's, infinite at 0, is not among them.
+/// Returns the value of the chosen kernel from q^2, so that some kernels need no square root. The viscosity kernel,
+/// whose value is infinite at q = 0, is not available.
 #[inline(always)]
 pub fn kernel_w<R: Real>(kernel: u32, q2: R) -> R {
     if kernel == POLY6 {
@@ -85,7 +86,7 @@ pub fn kernel_w<R: Real>(kernel: u32, q2: R) -> R {
     return wendland_c4_w(q);
 }
 
-/// Falling slope `-dw/dq` of the chosen kernel.
+/// Returns the slope `-dw/dq` of the chosen kernel.
 #[inline(always)]
 pub fn kernel_slope<R: Real>(m: &Model, kernel: u32, q: R) -> R {
     if kernel == POLY6 {
@@ -115,7 +116,7 @@ pub fn kernel_slope<R: Real>(m: &Model, kernel: u32, q: R) -> R {
     return wendland_c4_slope(q);
 }
 
-/// Curvature `d2w/dq2` of the chosen kernel.
+/// Returns the curvature `d2w/dq2` of the chosen kernel.
 #[inline(always)]
 pub fn kernel_curvature<R: Real>(kernel: u32, q: R) -> R {
     if kernel == POLY6 {
@@ -142,7 +143,7 @@ pub fn kernel_curvature<R: Real>(kernel: u32, q: R) -> R {
     return wendland_c4_curvature(q);
 }
 
-/// Laplacian of the chosen kernel in d dimensions, `w'' + (d - 1) w' / q`, over H^2; 0 at q = 0.
+/// Returns the Laplacian of the chosen kernel in d dimensions, `w'' + (d - 1) w' / q`, in units of 1 / H^2; 0 at q = 0.
 #[inline(always)]
 pub fn kernel_laplacian<R: Real>(m: &Model, kernel: u32, q: R) -> R {
     if kernel == VISCOSITY {

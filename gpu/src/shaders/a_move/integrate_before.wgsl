@@ -1,4 +1,5 @@
-// To where the forces are evaluated. The new slots are not known yet, so the moved particles wait in the old ones.
+// First half of the integrator: advances particles to the positions at which forces are evaluated. The particles are
+// not sorted yet, so the results stay in the old slots.
 fn pass_body(a: u32) {
   if a >= p.particle_count || head.status.failed != 0u { return; }
   let x = old_position[a];

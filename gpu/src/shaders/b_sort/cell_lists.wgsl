@@ -1,4 +1,4 @@
-// Each particle takes a place of its cell.
+// Enters each particle into the list of its cell.
 fn pass_body(a: u32) {
   if a >= p.particle_count || atomicLoad(&head.status.failed) != 0u { return; }
   if rank[a] < m.cell_places {

@@ -1,5 +1,7 @@
-// The cell that each particle comes to, and particles of each cell. Who gets which rank is a race; sort_by_id undoes it. The
-// counters were cleared before. Behind those of the cells are those of the blocks of cells, for the scan. Air that is not there comes to the last cell, wherever it lies.
+// Finds the cell of each particle, and counts the particles of each cell. The rank of a particle within its cell
+// depends on the order of threads; the pass sort_by_id removes that dependence. The counters were cleared before. The
+// counters of the cells are followed by those of the blocks of cells, which the scan needs. Inactive air particles go
+// to the last cell, whatever their position.
 fn enter(own: u32) -> u32 {
   atomicAdd(&head.counter[p.cells.w + own / CELL_BLOCK], 1u);
   return atomicAdd(&head.counter[own], 1u);
@@ -16,7 +18,7 @@ fn pass_body(a: u32) {
   let axis = axis_out_of_range(x);
   if axis < 3u {
     atomicMin(&head.status.out_of_range, 4u * old_id[a] + axis);
-    // the step has failed, and its next passes must still find a cell
+    // the step has failed, but its remaining passes must still find a valid cell
     cell[a] = 0u;
     rank[a] = 0u;
     return;

@@ -1,5 +1,6 @@
-// First slot of each cell. A work group a block of cells: all threads add up what the blocks before it hold, each sums a run of its
-// cells, the first adds up the runs, each writes its own.
+// Finds the first slot of each cell. Each work group handles a block of cells. All its threads together add up the
+// particles of the blocks before it. Then each thread counts the particles in a run of cells, the first thread adds up
+// the runs, and each thread writes the first slots of its run.
 var<workgroup> blocks_before: array<u32, WORKGROUP>;
 var<workgroup> run_begin: array<u32, WORKGROUP>;
 fn pass_body(thread: u32) {

@@ -1,6 +1,7 @@
-// The slot of each particle, where its cell stood: inside a cell ids ascend. A particle counts the members that come before it.
-// One thread that sorted a cell would be busy with a crowded one for the square of its members: some devices give up on that,
-// and some, unasked, end its loops.
+// Finds the slot of each particle after the step, so that ids ascend within a cell. Each thread counts the particles of
+// its cell that have smaller ids. A single thread that sorted a whole cell would take time proportional to the square
+// of the number of its particles. In a crowded cell some devices would report a timeout, and some would end the loops
+// without an error.
 fn pass_body(a: u32) {
   if a >= p.particle_count || head.status.failed != 0u { return; }
   let own = cell[a];
@@ -8,7 +9,7 @@ fn pass_body(a: u32) {
   let first = cell_start[own];
   var slot = first;
   if m.has_air == 1u && own == p.cells.w - 1u {
-    // inactive particles need no order, and there may be too many to count
+    // inactive particles need no order, and there may be too many of them to count
     slot = first + rank[a];
   } else {
     var count = head.counter[own];

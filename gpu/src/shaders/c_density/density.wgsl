@@ -1,4 +1,4 @@
-// Density of each particle from its neighbours, and the pressures that follow.
+// Computes the density of each particle from its neighbours, and the pressures and volume that follow from it.
 fn support_of(a: u32) -> f32 {
   if m.has_variable_support == 1u { return support_ratio[a]; }
   return 1.0f;
@@ -12,7 +12,7 @@ fn pass_body(a: u32) {
     new_density_pressure[a] = vec4(0.0f, 0.0f, 0.0f, p.rest_volume);
     return;
   }
-  // a mirroring wall has no density, and nobody acts on it
+  // mirroring wall particles have no density and no acceleration
   if m.wall_particles == MIRRORED && properties_of(v_a.w).y > 0.0f {
     new_density_pressure[a] = vec4(0.0f, 0.0f, 0.0f, volume_close(x_a.w, 0.0f));
     return;
@@ -37,7 +37,7 @@ fn pass_body(a: u32) {
           mass_b = mass_seen(own_properties.z, x_b.w, properties_b.z, properties_b.y);
         }
         if is_stepped() {
-          // where the pair was in the middle of the step
+          // separation in the middle of the step
           let v_ab = v_a.xyz - new_velocity[b].xyz;
           sum = sum + continuity_neighbour(x_ab - v_ab * u.half_time_step, v_ab, mass_b, scale);
         } else {

@@ -1,4 +1,4 @@
-// Which particles of liquid nothing covers: the gradient of the colour of all fluids together tells.
+// Finds the liquid particles at the free surface, by the gradient of the colour of all fluids together.
 fn pass_body(i: u32) {
   if i >= p.particle_count || head.status.failed != 0u { return; }
   let a = local(i);

@@ -1,10 +1,12 @@
-// Acceleration of each particle: pressure, viscosity and what acts from outside; without pressure where that is iterated.
+// Computes the acceleration of each particle by pressure, viscosity and external forces. Where pressure is iterated
+// later, pressure is left out.
 
-// The host's field: linear between the nodes around, no node outside the lattice. Twin: core/src/passes/field.rs.
+// The acceleration field supplied by the caller: linear interpolation between the surrounding nodes of a lattice, which
+// has no nodes outside its bounds. CPU counterpart: core/src/passes/field.rs.
 fn field_at(position: vec3<f32>) -> vec3<f32> {
   let place = field_place(position);
   let counts = vec3<i32>(p.field_counts.xyz);
-  // beyond the lattice one node is as absent as another
+  // clamping does not change the result, since no position outside the lattice has nodes; it keeps the indices small
   var first = vec3(
     smaller(larger(floor(place.x), -2.0f), f32(counts.x)),
     smaller(larger(floor(place.y), -2.0f), f32(counts.y)),

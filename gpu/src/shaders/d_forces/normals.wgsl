@@ -1,4 +1,5 @@
-// Inward normal of the surface of each particle's fluid, and its curvature where that follows from the same colour.
+// Computes the inward surface normal of each particle's fluid, and the curvature where it follows from the colour of
+// that fluid.
 fn pass_body(i: u32) {
   if i >= p.particle_count || head.status.failed != 0u { return; }
   let a = local(i);

@@ -1,4 +1,4 @@
-// Lengths at rest of springs after the step.
+// Computes the rest lengths of springs after the step.
 fn pass_body(i: u32) {
   if i >= p.particle_count || head.status.failed != 0u { return; }
   let x_a = new_position[i].xyz;

@@ -1,4 +1,4 @@
-// Acceleration by the springs of elastic fluids, added to all else.
+// Adds the acceleration by the springs of elastic fluids to the other accelerations.
 fn pass_body(i: u32) {
   if i >= p.particle_count || head.status.failed != 0u { return; }
   let x_a = new_position[i].xyz;

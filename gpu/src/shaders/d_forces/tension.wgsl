@@ -1,4 +1,4 @@
-// Acceleration by the curvature of the surface, added to all else; the curvature stays in w.
+// Adds the acceleration by the curvature of the surface to the other accelerations, and stores the curvature in w.
 fn pass_body(i: u32) {
   if i >= p.particle_count || head.status.failed != 0u { return; }
   let a = local(i);

@@ -1,4 +1,6 @@
-// Is the pressure good enough? Then its force is to act once more, and after that there is nothing left to do. One thread.
+// Checks whether the pressure iteration has converged. If it has, pressure_converged becomes 1: the force of the last
+// pressure still has to be computed. In the next iteration it becomes 2, and all further iterations do nothing. Uses
+// one thread.
 fn pass_body(thread: u32) {
   if thread != 0u || atomicLoad(&head.status.failed) != 0u { return; }
   let settled = atomicLoad(&head.status.pressure_converged);

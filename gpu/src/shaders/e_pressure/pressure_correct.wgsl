@@ -1,4 +1,4 @@
-// One iteration of pressure: how far the next density would miss, and what mends it.
+// Computes one iteration of pressure: predicts the density error of the next step, and corrects the pressure for it.
 fn predicted(a: u32) -> vec3<f32> { return predicted_velocity(new_velocity[a].xyz, new_acceleration[a].xyz); }
 
 fn pass_body(a: u32) {

@@ -1,4 +1,5 @@
-// Acceleration by the pressure of an iteration, added to all else; once more after the last iteration.
+// Adds the acceleration by the pressure of an iteration to the other accelerations. Runs once more after the last
+// iteration.
 fn pass_body(i: u32) {
   if i >= p.particle_count || head.status.failed != 0u || head.status.pressure_converged > 1u { return; }
   let a = local(i);

@@ -1,4 +1,4 @@
-// Second half of the integrator, then the walls.
+// Second half of the integrator, followed by the penalty planes.
 fn pass_body(a: u32) {
   if a >= p.particle_count || head.status.failed != 0u { return; }
   let material = new_velocity[a].w;

@@ -1,11 +1,11 @@
-// Thermal energy of each particle.
+// Advances the internal energy of each particle.
 fn at_step(a: u32) -> vec3<f32> { return end_velocity[a].xyz; }
 
 fn pass_body(i: u32) {
   if i >= p.particle_count || head.status.failed != 0u { return; }
   let a = local(i);
   if is_inactive(new_velocity[i].w) {
-    // as fresh as whoever is made of it next
+    // new air particles start with this internal energy
     new_internal_energy[i] = vec4(p.air_heat, 0.0f, 0.0f, 0.0f);
     return;
   }

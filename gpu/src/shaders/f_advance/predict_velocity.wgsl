@@ -1,4 +1,4 @@
-// Velocities at the end of the step, before there are any.
+// Predicts the velocities at the end of the step.
 fn pass_body(a: u32) {
   if a >= p.particle_count || head.status.failed != 0u { return; }
   var before = vec3(0.0f, 0.0f, 0.0f);

@@ -1,7 +1,8 @@
-// Beside which particles of liquid air is to be made.
+// Finds the liquid particles beside which an air particle is to be made. CPU counterpart:
+// core/src/passes/f_advance/spawn_requests.rs.
 fn place_of(a: u32) -> vec3<f32> { return place_of_birth(new_position[a].xyz, total_colour_gradient[a].xyz); }
 
-// Is nothing near that place, and no penalty wall before it?
+// Returns whether no particle is near a position and the position is not behind a penalty plane.
 fn is_free(place: vec3<f32>) -> bool {
   if axis_out_of_range(place) < 3u { return false; }
   if m.has_container == 1u {
@@ -21,7 +22,7 @@ fn is_free(place: vec3<f32>) -> bool {
   return true;
 }
 
-// Does another, of smaller id, have air made where this one wants it?
+// Returns whether an exposed particle with a smaller id gets an air particle at nearly the same position.
 fn is_late(a: u32, place: vec3<f32>) -> bool {
   let own = cell_of(place);
   for (var i = 0u; i < stencil_cells(); i += 1u) {

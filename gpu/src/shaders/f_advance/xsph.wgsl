@@ -1,4 +1,4 @@
-// XSPH: the velocity that each particle moves with in the next step, beside its own.
+// Computes the XSPH velocity: the velocity that each particle moves with in the next step, in addition to its own.
 fn at_step(i: u32) -> Local {
   var a = local(i);
   a.velocity = end_velocity[i].xyz;

@@ -1,5 +1,5 @@
-// What becomes of the step: it counts, it is made again, or nothing does any more; and the clock. One thread. Twin of the clock:
-// core/src/clock.rs.
+// Ends the step: accepts it, has it repeated with a shorter time step, or records that it failed, after which all
+// further steps do nothing. Also advances the clock; CPU counterpart of the clock: core/src/clock.rs. Uses one thread.
 const NONE: u32 = 0xffffffffu;
 fn set_step(step: f32) {
   head.status.time_step = step;
@@ -7,7 +7,7 @@ fn set_step(step: f32) {
   head.status.inverse_time_step = step_inverse(step);
 }
 
-// Sets the next time step. False where this one is to be made again by it.
+// Sets the next time step. Returns false if the current step must be repeated with it.
 fn counts() -> bool {
   let step = u.time_step;
   var wanted = step;
@@ -43,7 +43,7 @@ fn pass_body(thread: u32) {
   if full != NONE { atomicStore(&head.status.cell_count, atomicLoad(&head.counter[full])); }
   if full != NONE || atomicLoad(&head.status.out_of_range) != NONE || atomicLoad(&head.status.not_finite) != NONE {
     atomicStore(&head.status.failed, 1u);
-    // the clock is as it was, too
+    // the clock did not advance either, so the time step gets back its value from before this step
     if m.is_adaptive == 1u { set_step(head.status.first_time_step); }
     return;
   }
@@ -55,7 +55,7 @@ fn pass_body(thread: u32) {
       atomicStore(&head.status.failed, 2u);
       return;
     }
-    // no step is short enough, so it seems
+    // the step was too long in every attempt, so it fails
     atomicStore(&head.status.failed, 1u);
     set_step(head.status.first_time_step);
     return;
@@ -64,7 +64,7 @@ fn pass_body(thread: u32) {
   atomicStore(&head.status.last_iterations, iterations);
   atomicStore(&head.status.last_residual, atomicLoad(&head.status.left));
   atomicAdd(&head.status.total_iterations, iterations);
-  // a count that is full stays so
+  // the count saturates at its maximum
   atomicAdd(&head.status.air_refused, min(refused, NONE - atomicLoad(&head.status.air_refused)));
   atomicStore(&head.status.air_alive, atomicLoad(&head.status.alive));
 }

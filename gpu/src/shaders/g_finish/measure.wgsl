@@ -1,4 +1,4 @@
-// The largest speed, acceleration and speed of sound: what the next time step follows from.
+// Finds the largest speed, acceleration and speed of sound, which determine the next time step.
 fn pass_body(a: u32) {
   if a >= p.particle_count || atomicLoad(&head.status.failed) != 0u { return; }
   let v = new_velocity[a];

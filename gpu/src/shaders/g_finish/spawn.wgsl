@@ -1,11 +1,12 @@
-// Air is made where the pass before the last said, and vanishes where it is thin. One work group: each thread walks a run of the
-// parents' ids and one of the coat's, and knows from the others' counts the how-manieth its first ones are. Parents wait in a queue
-// behind the entries of `spawn_requested`.
+// Makes air particles where the pass spawn_requests requested them, and removes those whose density is too low. Uses
+// one work group. Each thread visits a range of the ids of all particles that may request air, and a range of the ids
+// of the air layer. From the counts of the threads before it, it knows the index of its first request and of its first
+// inactive particle. The slots of the particles that request air are queued behind the entries of `spawn_requested`.
 var<workgroup> births: array<u32, WORKGROUP>;
 var<workgroup> sleepers: array<u32, WORKGROUP>;
 var<workgroup> all_births: u32;
 
-// A particle without a past.
+// Resets a particle to rest density, without pressure or acceleration, and with this velocity and material.
 fn renew(slot: u32, velocity: f32x4) {
   new_velocity[slot] = velocity;
   new_acceleration[slot] = vec4(0.0f, 0.0f, 0.0f, 0.0f);

@@ -1,4 +1,4 @@
-// Is an array of the new state finite? Runs once for each.
+// Checks that an array of the new state is finite. Runs once for each array.
 fn is_finite(x: f32x4) -> bool {
   return all((bitcast<vec4<u32>>(x) & vec4(0x7f800000u)) != vec4(0x7f800000u));
 }

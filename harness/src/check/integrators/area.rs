@@ -1,24 +1,26 @@
-//! Is a scheme symplectic: does it keep areas of phase space?
+//! Measures whether a scheme is symplectic, that is, preserves areas in phase space.
 //!
-//! A small parallelogram of neighbouring motions is carried along, and its area compared with that after the first step, when
-//! what is remembered has become the scheme's own. A linear spring is a special case: what Beeman's velocity has beside Verlet's
-//! is then a constant factor of the area. With a spring that stiffens it is none.
+//! Four motions that start close together span a small parallelogram in phase space. Its area is compared with its area
+//! after the first step, when the remembered acceleration or displacement comes from the scheme itself. A linear spring
+//! is a special case: there, what distinguishes Beeman's velocity from Verlet's is a constant factor of the area. With
+//! a hardening spring this factor is not constant.
 use super::oscillator::{Motion, Oscillator};
 use super::scheme::Scheme;
 use millpond_core::backend::arithmetic::double::Double;
 
-/// s, and 1/s: omega dt = 0.5.
+/// Time step, s, and frequency, 1/s: omega dt = 0.5.
 const TIME_STEP: f32 = 0.125;
 const OMEGA: f64 = 4.0;
-/// Steps, about three periods.
+/// Number of steps, about three periods.
 const STEPS: u32 = 40;
 
-/// m, m/s.
+/// Position, m, and velocity, m/s, at the start.
 const START: [f64; 2] = [0.5, 0.3];
-/// Half of a side of the parallelogram, m and m/s: differences across the middle are exact to its square.
+/// Half of a side of the parallelogram, m and m/s. Central differences have an error of the order of its square.
 const SIDE: f64 = 1e-5;
 
-/// Largest change of an area over some periods, as a share of it, without damping. `hardening` as in [`Oscillator`], 1/m2.
+/// Returns the largest relative change of an area over some periods, without damping. `hardening` is that of
+/// [`Oscillator`], 1/m2.
 #[must_use]
 pub fn change(scheme: Scheme, hardening: f64) -> f64 {
     let oscillator = Oscillator { omega: OMEGA, damping: 0.0, hardening };
@@ -35,7 +37,7 @@ pub fn change(scheme: Scheme, hardening: f64) -> f64 {
         ax * bv - bx * av
     };
     let first = area();
-    // a motion that has left all numbers has changed its areas beyond all bounds
+    // a motion that is no longer finite counts as an infinite change
     let change = |area: f64| if area.is_finite() { (area / first - 1.0).abs() } else { f64::INFINITY };
     (0..STEPS).map(|_| change(area())).fold(0.0, f64::max)
 }

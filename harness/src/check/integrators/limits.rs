@@ -1,32 +1,34 @@
-//! The limit of stability as runs find it: bisection of omega dt between those that do not grow and those that do.
+//! The stability limit as measured in runs: bisection of omega dt between runs whose amplitude grows and runs whose
+//! amplitude does not.
 use super::oscillator::{Motion, Oscillator, Precision};
 use super::scheme::Scheme;
 
-/// s. Only omega dt matters; a power of two, so that dt^2 and 1 / dt are exact too.
+/// Time step, s. Only omega dt matters; a power of two makes dt^2 and 1 / dt exact as well.
 const TIME_STEP: f32 = 0.125;
 
-/// m, and over omega, so that no mode of any scheme is left out.
+/// Position at the start, m, and velocity over omega, m. Both are nonzero, so that every mode of every scheme is
+/// excited.
 const START: [f64; 2] = [0.5, 0.3];
 
-/// Steps of the first stretch of a run; each further one doubles them.
+/// Steps of the first stretch of a run, and number of further stretches, each as long as all before it together.
 const FIRST_STRETCH: u32 = 512;
 const DOUBLINGS: u32 = 8;
 
-/// Growth of the amplitude from a stretch to the next. On the limit itself roots coincide and the amplitude may grow in
-/// proportion to time, which is a factor of 2; all that grows faster grows exponentially.
+/// Growth of the amplitude from one stretch to the next that counts as exponential. At the limit itself roots coincide
+/// and the amplitude may grow in proportion to time, by a factor of 2. Anything that grows faster grows exponentially.
 const GROWS: f64 = 4.0;
 
-/// Share of the start at which a motion has died away.
+/// Share of the amplitude at the start below which a motion has decayed.
 const DEAD: f64 = 1e-6;
 
-/// Rungs at which stability is looked at from below, and the last of them.
+/// Spacing and number of the values of omega dt that are tried in ascending order.
 const RUNG: f64 = 0.1;
 const RUNGS: u32 = 40;
 
-/// Halvings of a rung: to 1e-4.
+/// Number of bisections between two of them: to 1e-4.
 const HALVINGS: u32 = 10;
 
-/// Does an oscillator's amplitude grow exponentially at this omega dt?
+/// Returns whether the amplitude of an oscillator grows exponentially at this omega dt.
 #[must_use]
 pub fn grows<R: Precision>(scheme: Scheme, damping: f64, omega_dt: f64) -> bool {
     let oscillator = Oscillator::linear(omega_dt / f64::from(TIME_STEP), damping);
@@ -37,7 +39,7 @@ pub fn grows<R: Precision>(scheme: Scheme, damping: f64, omega_dt: f64) -> bool 
         (0..steps).fold(0.0, |largest: f64, _| {
             motion.step();
             let now = motion.amplitude();
-            // a motion that left the numbers stays outside
+            // a motion that is no longer finite stays so
             if now.is_nan() { f64::INFINITY } else { largest.max(now) }
         })
     };
@@ -55,7 +57,7 @@ pub fn grows<R: Precision>(scheme: Scheme, damping: f64, omega_dt: f64) -> bool 
     false
 }
 
-/// Up to which omega dt, from 0 on, no run grows.
+/// Returns the largest omega dt up to which no run grows, from 0 on.
 #[must_use]
 pub fn measured<R: Precision>(scheme: Scheme, damping: f64) -> f64 {
     let mut rungs = (1..=RUNGS).map(|rung| RUNG * f64::from(rung));

@@ -1,7 +1,9 @@
-//! `integrators`: the ten of Pirovano, section 2.3.1 on its oscillators, against theory: limits of stability, orders, areas of phase
-//! space, amplitudes and phases, and Pirovano's own tables 2.1 to 2.4 beside ours.
+//! `integrators`: compares the ten integrators of Pirovano, section 2.3.1 with theory, on oscillators: stability
+//! limits, orders, areas in phase space, amplitudes and phases. It also compares tables 2.1 to 2.4 of Pirovano with the
+//! measured results.
 //!
-//! [`oscillator`] steps a mass on a spring by core's terms, and [`theory`] says from Pirovano's equations what must come of it.
+//! [`oscillator`] steps a mass on a spring with the terms of millpond_core, and [`theory`] derives the expected results
+//! from Pirovano's equations.
 pub mod area;
 pub mod limits;
 pub mod orders;
@@ -26,39 +28,40 @@ use swings::{STIFFNESSES, Swing, omega_dt};
 
 const NAME: &str = "integrators";
 
-/// Ratios of damping: none to critical.
+/// Damping ratios zeta, from undamped to critically damped.
 pub const DAMPINGS: [f64; 4] = [0.0, 0.1, 0.5, 1.0];
 
-/// That at which orders with damping are measured.
+/// Damping ratio at which orders with damping are measured.
 pub const DAMPED: f64 = 0.5;
 
-/// How the spring stiffens on which areas are looked at, 1/m2: twice as stiff at a metre.
+/// Hardening of the spring with which areas are measured, 1/m2: at 1 m the spring is twice as stiff.
 pub const HARDENING: f64 = 1.0;
 
-/// Of the issue: of a limit, as a share of it; of an order.
+/// Largest relative error of a stability limit, and largest error of an order.
 const LIMIT_OFF: f64 = 0.01;
 const ORDER_OFF: f64 = 0.1;
 
-/// Of the growth in a step of those that are not stable from 0 on, as a share of it.
+/// Largest relative error of the growth per step, for integrators that are unstable at the smallest time steps.
 const GROWTH_OFF: f64 = 0.01;
 
-/// Of an area that is kept, whose differences are exact to 1e-8; and how much one that is not kept must change.
+/// Largest relative change of an area that a symplectic integrator preserves (the differences are exact to 1e-8), and
+/// smallest change with the other integrators.
 const KEPT: f64 = 1e-6;
 const NOT_KEPT: f64 = 1e-3;
 
-/// Of a frequency, as a share of it: what a fit of 250 steps in f64 can be trusted with.
+/// Largest relative error of a frequency: the accuracy of a fit to 250 steps in f64.
 const FREQUENCY_OFF: f64 = 1e-6;
 
-/// What was measured of a scheme.
+/// Measured results of a scheme.
 struct Measured {
     scheme: Scheme,
-    /// By damping: theory, runs in f64, runs in f32.
+    /// Stability limits for each damping ratio: by theory, by runs in f64, by runs in f32.
     limits: [[f64; 3]; 4],
-    /// Without damping, with it, and of one step.
+    /// Orders without damping, with damping, and of a single step.
     orders: [Order; 3],
-    /// Change of an area with a linear spring, and with one that stiffens.
+    /// Relative change of an area with a linear spring, and with a hardening one.
     areas: [f64; 2],
-    /// Pirovano's runs by stiffness, without damping and critically damped.
+    /// Runs with Pirovano's stiffnesses, undamped and critically damped.
     undamped: Vec<Swing>,
     damped: Vec<Swing>,
 }
@@ -69,8 +72,8 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let all: Vec<Measured> = jobs.into_iter().filter_map(|(_, measured)| measured).collect();
     let mut figures = Vec::new();
     for one in &all {
-        figures.push(Metric::below(format!("limit off theory, {}", one.scheme.name()), limit_off(one), LIMIT_OFF));
-        figures.push(Metric::below(format!("order off, {}", one.scheme.name()), order_off(one), ORDER_OFF));
+        figures.push(Metric::below(format!("error of the limit, {}", one.scheme.name()), limit_off(one), LIMIT_OFF));
+        figures.push(Metric::below(format!("error of the order, {}", one.scheme.name()), order_off(one), ORDER_OFF));
     }
     figures.extend(special(&all));
     if let Some(folder) = &context.folder {
@@ -84,7 +87,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
 fn measure(scheme: Scheme) -> Measured {
     let limits = DAMPINGS.map(|damping| {
         let theory = theory::limit(scheme, damping);
-        // where there is none to find, growth itself is what is measured
+        // a scheme without a limit is judged by its growth per step instead
         let none = theory == 0.0;
         let measured = if none {
             [0.0; 2]
@@ -104,7 +107,7 @@ fn measure(scheme: Scheme) -> Measured {
     }
 }
 
-/// Worst miss of a limit, in both precisions, as a share of it.
+/// Returns the largest relative error of a stability limit, in both precisions.
 fn limit_off(one: &Measured) -> f64 {
     let off = one.limits.iter().filter(|[theory, ..]| *theory > 0.0);
     off.flat_map(|[theory, double, single]| [double / theory, single / theory])
@@ -118,7 +121,7 @@ fn order_off(one: &Measured) -> f64 {
     larger(off(undamped, false), off(damped, true))
 }
 
-/// What is promised of some only.
+/// Returns the figures that concern only some of the schemes.
 fn special(all: &[Measured]) -> Vec<Metric> {
     let once = || all.iter().filter(|one| !one.scheme.twice);
     let mut figures = Vec::new();
@@ -128,15 +131,15 @@ fn special(all: &[Measured]) -> Vec<Metric> {
             let [growth, _] = swing.growth_and_angle().unwrap_or([f64::NAN; 2]);
             ((growth - 1.0) / theory - 1.0).abs()
         });
-        let name = format!("growth in a step off theory, {}, not stable from 0 on", one.scheme.name());
+        let name = format!("error of the growth per step, {}, unstable at small steps", one.scheme.name());
         figures.push(Metric::below(name, off.fold(0.0, larger), GROWTH_OFF));
     }
     let [kept, others] =
         [true, false].map(|kept| once().filter(move |one| one.scheme.integrator.is_symplectic() == kept));
     let most = kept.map(|one| larger(one.areas[0], one.areas[1])).fold(0.0, larger);
     let least = others.map(|one| one.areas[1]).fold(f64::INFINITY, |a, b| if a.is_nan() || a <= b { a } else { b });
-    figures.push(Metric::below("change of an area, the symplectic ones", most, KEPT));
-    figures.push(Metric::above("change of an area, the least of the others", least, NOT_KEPT));
+    figures.push(Metric::below("change of an area, symplectic integrators, largest", most, KEPT));
+    figures.push(Metric::above("change of an area, other integrators, smallest", least, NOT_KEPT));
     let verlets = once().filter(|one| one.scheme.integrator.is_symplectic());
     let off = verlets.flat_map(|one| one.undamped.iter().zip(STIFFNESSES).take(4)).map(|(swing, k)| {
         let p = omega_dt(k);
@@ -144,7 +147,7 @@ fn special(all: &[Measured]) -> Vec<Metric> {
         (angle / (2.0 * (p / 2.0).asin()) - 1.0).abs()
     });
     figures.push(Metric::below(
-        "frequency off 2 asin(p / 2) / dt, the symplectic ones",
+        "error of the frequency against 2 asin(p / 2) / dt, symplectic integrators",
         off.fold(0.0, larger),
         FREQUENCY_OFF,
     ));

@@ -1,30 +1,32 @@
-//! Orders of accuracy as halved steps show them: of the error at a fixed time, and of that of a single step.
+//! Orders of accuracy, measured by halving the time step: of the error at a fixed time, and of the error of a single
+//! step.
 use super::oscillator::{Motion, Oscillator};
 use super::scheme::Scheme;
 use millpond_core::backend::arithmetic::double::Double;
 use millpond_core::scene::Integrator;
 
-/// 1/s.
+/// Frequency omega, 1/s.
 const OMEGA: f64 = 1.3;
 
-/// m and m/s: with a velocity, so that the start of a history is tested too.
+/// Position, m, and velocity, m/s, at the start. The velocity is nonzero, so that the initial history is tested too.
 const START: [f64; 2] = [0.5, 0.3];
 
-/// Steps in a second of the coarse run; powers of two, as f32 has them exactly.
+/// Steps per second of the coarser run; a power of two, which makes the time step exact in f32.
 const STEPS: u32 = 1024;
-/// s.
+/// Simulated time, s.
 const SECONDS: u32 = 3;
-/// Those of a single step, whose errors of fourth order would drown in rounding at the others.
+/// Steps per second for the error of a single step. It is smaller, since an error of fourth order would be lost in
+/// rounding otherwise.
 const SINGLE: u32 = 64;
 
-/// Powers of the time step in which an error falls.
+/// Orders: the powers of the time step with which an error falls.
 #[derive(Clone, Copy, Debug)]
 pub struct Order {
-    /// That of the position.
+    /// Order of the position.
     pub position: f64,
-    /// That of the velocity.
+    /// Order of the velocity.
     pub velocity: f64,
-    /// That of both together.
+    /// Order of both together.
     pub both: f64,
 }
 
@@ -36,7 +38,7 @@ impl Order {
     }
 }
 
-/// Order of the error after three seconds, from the start that a solver has.
+/// Returns the order of the error after three seconds, started as in a solver.
 #[must_use]
 pub fn global(scheme: Scheme, damping: f64) -> Order {
     let oscillator = Oscillator::linear(OMEGA, damping);
@@ -48,8 +50,8 @@ pub fn global(scheme: Scheme, damping: f64) -> Order {
     Order::of(error(STEPS), error(2 * STEPS))
 }
 
-/// Order of the error of one step that begins with all it remembers exact, without damping. One more than the global order
-/// where errors add up.
+/// Returns the order of the error of one step that starts from an exact history, without damping. It is one more than
+/// the global order where errors accumulate.
 #[must_use]
 pub fn local(scheme: Scheme) -> Order {
     let oscillator = Oscillator::linear(OMEGA, 0.0);
@@ -58,7 +60,8 @@ pub fn local(scheme: Scheme) -> Order {
         let [before, _] = oscillator.exact(START, -dt);
         let motion: Motion<Double> = Motion::start(scheme, oscillator, dt as f32, START);
         let verlet = scheme.integrator == Integrator::Verlet;
-        // the others than Verlet's remember the acceleration before, or do not look
+        // Beeman's three integrators remember the acceleration of the step before; the remaining ones ignore the
+        // history
         let history = if verlet { START[0] - before } else { -OMEGA * OMEGA * before };
         let mut motion = motion.remembering(history);
         motion.step();
@@ -67,7 +70,7 @@ pub fn local(scheme: Scheme) -> Order {
     Order::of(error(SINGLE), error(2 * SINGLE))
 }
 
-/// How far a motion is from the exact one after `t` seconds, m and m/s.
+/// Returns the difference of a motion from the exact one after `t` seconds, m and m/s.
 fn off(motion: &Motion<Double>, oscillator: Oscillator, t: f64) -> [f64; 2] {
     let [x, v] = oscillator.exact(START, t);
     [motion.position() - x, motion.velocity() - v]

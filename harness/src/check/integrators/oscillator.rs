@@ -1,4 +1,4 @@
-//! Pirovano's oscillators (sections 2.3.2 and 2.3.3), moved by the very terms that move particles.
+//! The oscillators of Pirovano, sections 2.3.2 and 2.3.3, stepped with the same terms as particles.
 use super::scheme::Scheme;
 use millpond_core::backend::arithmetic::double::Double;
 use millpond_core::backend::arithmetic::real::{Real, real, vec3};
@@ -8,11 +8,11 @@ use millpond_core::backend::terms::integrate::{
     velocity_for_forces,
 };
 
-/// In which precision a motion is computed.
+/// Precision in which a motion is computed.
 pub trait Precision: Real {
-    /// The nearest number.
+    /// Returns the nearest number of this precision.
     fn of(x: f64) -> Self;
-    /// The number.
+    /// Returns the number as f64.
     fn value(self) -> f64;
 }
 
@@ -37,36 +37,38 @@ impl Precision for Double {
 /// A mass on a spring: `a = -omega^2 (1 + s x^2) x - 2 zeta omega v`.
 #[derive(Clone, Copy, Debug)]
 pub struct Oscillator {
-    /// omega, 1/s.
+    /// Frequency omega, 1/s.
     pub omega: f64,
-    /// zeta: 0 undamped, 1 critically damped.
+    /// Damping ratio zeta: 0 is undamped, 1 critically damped.
     pub damping: f64,
-    /// s, 1/m2: how the spring stiffens as it is stretched; 0 in Pirovano.
+    /// Hardening s, 1/m2: how much stiffer the spring becomes as it is stretched; 0 in Pirovano.
     pub hardening: f64,
 }
 
 impl Oscillator {
-    /// One of Pirovano's.
+    /// Returns an oscillator with a linear spring, as in Pirovano.
     #[must_use]
     pub fn linear(omega: f64, damping: f64) -> Oscillator {
         Oscillator { omega, damping, hardening: 0.0 }
     }
 
-    /// m/s2.
+    /// Returns the acceleration, m/s2.
     fn acceleration<R: Precision>(&self, x: vec3<R>, v: vec3<R>) -> vec3<R> {
-        // in this order: what has grown beyond all bounds has no square
+        // in this order: without hardening, the square of a diverged position would overflow, and 0 times infinity is
+        // NaN
         let stiffness = -(x.x * R::of(self.hardening) * x.x + 1.0) * R::of(self.omega * self.omega);
         x * stiffness - v * R::of(2.0 * self.damping * self.omega)
     }
 
-    /// Position, m, and velocity, m/s, after `t` seconds from these: Pirovano eqs. 2.39, 2.40 (, corrected) and what lies between
-    /// them. Of a linear spring with `damping <= 1`.
+    /// Returns the exact position, m, and velocity, m/s, `t` seconds after the given ones: Pirovano, eqs. 2.39 and
+    /// 2.40, corrected, and the solution for damping ratios between them. Valid for a linear spring with `damping` from
+    /// 0 to 1.
     #[must_use]
     pub fn exact(&self, [x, v]: [f64; 2], t: f64) -> [f64; 2] {
         let decay = self.damping * self.omega;
         let swing = self.omega * (1.0 - self.damping * self.damping).max(0.0).sqrt();
         let (sin, cos) = (swing * t).sin_cos();
-        // sin(swing t) / swing, which is t where it does not swing
+        // sin(swing t) / swing, whose limit without oscillation is t
         let sinc = if swing > 0.0 { sin / swing } else { t };
         let fall = (-decay * t).exp();
         let push = v + decay * x;
@@ -74,7 +76,7 @@ impl Oscillator {
     }
 }
 
-/// An oscillator that is being stepped.
+/// An oscillator that is stepped.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion<R> {
     oscillator: Oscillator,
@@ -88,7 +90,8 @@ pub struct Motion<R> {
 }
 
 impl<R: Precision> Motion<R> {
-    /// From a position, m, and a velocity, m/s, as a solver starts its particles; the time step in s.
+    /// Starts a motion at a position, m, with a velocity, m/s, in the way a solver starts its particles. The time step
+    /// is in s.
     #[must_use]
     pub fn start(scheme: Scheme, oscillator: Oscillator, time_step: f32, [x, v]: [f64; 2]) -> Motion<R> {
         let model = Model { integrator: scheme.integrator as u32, ..bytemuck::Zeroable::zeroed() };
@@ -96,7 +99,7 @@ impl<R: Precision> Motion<R> {
         let (x, v) = (along_x(x), along_x(v));
         let a = oscillator.acceleration(x, v);
         let history = if is_beeman(&model) {
-            // as the solver does: the acceleration where a step back in time leads
+            // as in the solver: the acceleration at the position one time step earlier
             let (back, p) = (Model { integrator: MODIFIED_VELOCITY_VERLET, ..model }, steps_of(-time_step));
             oscillator.acceleration(moved(&back, &p, x, v, a, a), velocity_for_forces(&back, &p, v, a, a))
         } else {
@@ -105,13 +108,14 @@ impl<R: Precision> Motion<R> {
         Motion { oscillator, twice: scheme.twice, model, uniform, x, v, a, history }
     }
 
-    /// The same with another history: of Verlet the last displacement, m, of the three of Beeman the acceleration before, m/s2.
+    /// Returns the motion with another history: the last displacement, m, with Verlet, or the acceleration of the step
+    /// before, m/s2, with the three Beeman integrators.
     #[must_use]
     pub fn remembering(self, history: f64) -> Motion<R> {
         Motion { history: along_x(history), ..self }
     }
 
-    /// One time step.
+    /// Makes one time step.
     pub fn step(&mut self) {
         let (m, p, earlier, history) = (&self.model, &self.uniform, self.a, self.history);
         let x = moved(m, p, self.x, self.v, earlier, history);
@@ -123,19 +127,19 @@ impl<R: Precision> Motion<R> {
         self.a = if self.twice { self.oscillator.acceleration(self.x, self.v) } else { a };
     }
 
-    /// Position, m.
+    /// Returns the position, m.
     #[must_use]
     pub fn position(&self) -> f64 {
         self.x.x.value()
     }
 
-    /// Velocity, m/s.
+    /// Returns the velocity, m/s.
     #[must_use]
     pub fn velocity(&self) -> f64 {
         self.v.x.value()
     }
 
-    /// Length of `(x, v / omega)`, m: the amplitude, whatever the phase.
+    /// Returns the length of `(x, v / omega)`, m: the amplitude, independent of the phase.
     #[must_use]
     pub fn amplitude(&self) -> f64 {
         self.position().hypot(self.velocity() / self.oscillator.omega)

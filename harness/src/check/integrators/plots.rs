@@ -1,5 +1,6 @@
-//! Pirovano's figures 2.3 to 2.8 and 2.11 to 2.14, a panel an integrator: in one frame, those that make the same positions would hide
-//! each other. The analytic solution of figures 2.2 and 2.10 is the black line in each.
+//! Figures 2.3 to 2.8 and 2.11 to 2.14 of Pirovano, with a panel for each integrator: in one frame, integrators that
+//! give the same positions would hide each other. The analytic solution of figures 2.2 and 2.10 is the black line in
+//! each panel.
 use super::swings::{START, STIFFNESSES, Swing, TIME_STEP};
 use super::{Measured, NAME};
 use crate::failure::Failure;
@@ -10,24 +11,24 @@ use plotters::prelude::*;
 use std::io;
 use std::path::Path;
 
-/// Pixels, panels down and across.
+/// Size in pixels, and number of panels down and across.
 const SIZE: (u32, u32) = (1400, 1000);
 const PANELS: (usize, usize) = (5, 2);
 
-/// Height of the frame over the amplitude at the start; what explodes leaves it.
+/// Height of the frame over the amplitude at the start. A motion that diverges leaves the frame.
 const FRAME: f64 = 2.0;
 
-/// Points of the analytic line in a second.
+/// Points per second of the analytic line.
 const FINE: u32 = 60;
 
-/// A figure of Pirovano's.
+/// A figure of Pirovano.
 struct Sheet {
     number: &'static str,
-    /// Which of [`STIFFNESSES`].
+    /// Index into [`STIFFNESSES`].
     stiffness: usize,
     damped: bool,
     velocity: bool,
-    /// How much of the run is shown, s.
+    /// Time that is shown, s.
     seconds: u32,
 }
 
@@ -55,13 +56,13 @@ const SHEETS: [Sheet; 10] = [
 /// Error of a drawing.
 pub(super) type Trouble = DrawingAreaErrorKind<io::Error>;
 
-/// A drawing on its way into a file.
+/// A drawing that is written to a file.
 pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-/// Draws all of them into a folder.
+/// Draws all figures into a folder.
 ///
 /// # Errors
-/// A file that cannot be written.
+/// Returns an error if a file cannot be written.
 pub(super) fn draw(folder: &Path, all: &[Measured]) -> Result<(), Failure> {
     make_folder(folder)?;
     for sheet in &SHEETS {
@@ -74,7 +75,7 @@ pub(super) fn draw(folder: &Path, all: &[Measured]) -> Result<(), Failure> {
 /// Draws into a file.
 ///
 /// # Errors
-/// It cannot be written.
+/// Returns an error if the file cannot be written.
 pub(super) fn in_file(
     path: &Path,
     size: (u32, u32),
@@ -132,7 +133,7 @@ impl Sheet {
     }
 }
 
-/// A curve up to where it leaves the frame.
+/// Cuts a curve off where it leaves the frame.
 fn until_out(points: impl Iterator<Item = (f64, f64)>, height: f64) -> Vec<(f64, f64)> {
     let mut kept: Vec<(f64, f64)> = Vec::new();
     for (x, y) in points {

@@ -1,23 +1,23 @@
-//! What is compared: an integrator, with the forces evaluated once or twice a step, as a scene can ask for it.
+//! A scheme: an integrator with the forces evaluated once or twice per step, as a scene can ask for it.
 use millpond_core::scene::Integrator;
 
-/// An integrator and how often it evaluates forces.
+/// An integrator, and how often it evaluates forces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Scheme {
-    /// By which positions and velocities are moved.
+    /// The integrator.
     pub integrator: Integrator,
-    /// Are forces evaluated again with the velocity at the end of the step (`Formulation::reevaluate`)?
+    /// Whether forces are evaluated again with the velocity at the end of the step (`Formulation::reevaluate`).
     pub twice: bool,
 }
 
 impl Scheme {
-    /// One evaluation a step.
+    /// Returns the scheme with one evaluation per step.
     #[must_use]
     pub fn once(integrator: Integrator) -> Scheme {
         Scheme { integrator, twice: false }
     }
 
-    /// All that a scene can ask for: the ten, then those that may evaluate twice.
+    /// Returns all schemes: the ten integrators with one evaluation, then those that support a second one.
     #[must_use]
     pub fn all() -> Vec<Scheme> {
         use Integrator::*;
@@ -26,13 +26,13 @@ impl Scheme {
         once.chain(twice.map(|integrator| Scheme { integrator, twice: true })).collect()
     }
 
-    /// Its name in tables.
+    /// Returns its name in tables.
     #[must_use]
     pub fn name(self) -> String {
         format!("{}{}", self.integrator.name(), if self.twice { ", twice" } else { "" })
     }
 
-    /// Order that its global error should have without damping, or with it.
+    /// Returns the order that its global error should have, without or with damping.
     #[must_use]
     pub fn order(self, damped: bool) -> u32 {
         match (damped, self.twice) {

@@ -1,5 +1,5 @@
-//! Fine sweeps over omega dt: growth in a step by theory, and what 30 s of an undamped oscillator come to; as figures and as
-//! a table for whoever wants the numbers.
+//! Fine sweeps over omega dt: theoretical growth per step, and results of 30 s of an undamped oscillator. They are
+//! written as figures and as a table of numbers.
 use super::plots::{Area, Trouble, in_file};
 use super::swings::{Swing, TIME_STEP};
 use super::{NAME, Scheme, theory};
@@ -11,35 +11,36 @@ use plotters::prelude::SeriesLabelPosition::{LowerRight, UpperLeft};
 use plotters::prelude::*;
 use std::path::Path;
 
-/// Pixels of a figure of two panels.
+/// Size of a figure with two panels, pixels.
 const SIZE: (u32, u32) = (1500, 640);
 
-/// omega dt of the sweep: its step, and how many.
+/// Spacing and number of the values of omega dt.
 const STEP: f64 = 0.02;
 const STEPS: u32 = 120;
 
-/// From here on: the last 5 s of a run are to hold half a period.
+/// First value, in spacings. Below it the last 5 s of a run would hold less than half a period.
 const FIRST: u32 = 5;
 
-/// What the frames hold: growth in a step (to where the legend stands), decades of an amplitude, per cent of a frequency.
+/// Ranges of the axes: growth per step (with space for the legend), decades of amplitude, error of the frequency in per
+/// cent.
 const GROWTH: [f64; 2] = [0.0, 2.6];
 const AMPLITUDE: [f64; 2] = [-3.0, 3.0];
 const FREQUENCY: [f64; 2] = [-30.0, 60.0];
 
-/// Curves that differ by less, as a share, are drawn as one.
+/// Curves with a smaller relative difference are drawn as one.
 const SAME: f64 = 1e-4;
 
-/// A curve and who makes it.
+/// A curve, and the names of the schemes that it represents.
 #[derive(Clone, Debug)]
 struct Curve {
     names: Vec<String>,
     points: Vec<[f64; 2]>,
 }
 
-/// Figures and table of the sweep.
+/// Writes the figures and the table of the sweep.
 ///
 /// # Errors
-/// A file that cannot be written.
+/// Returns an error if a file cannot be written.
 pub(super) fn draw(folder: &Path) -> Result<(), Failure> {
     let growth = |damping| curves(GROWTH, |scheme, p| Some(theory::growth(scheme, p, damping)));
     in_file(&folder.join(format!("{NAME}-growth.svg")), SIZE, |area| {
@@ -61,7 +62,7 @@ pub(super) fn draw(folder: &Path) -> Result<(), Failure> {
     write_text(&folder.join(format!("{NAME}-sweep.csv")), &table())
 }
 
-/// The sweep of all schemes as lines of numbers.
+/// Returns the sweep of all schemes as lines of CSV.
 fn table() -> String {
     let mut out =
         String::from("scheme,omega_dt,omega_per_s,amplitude,velocity_amplitude,frequency_ratio,damped_error\n");
@@ -81,7 +82,7 @@ fn sweep() -> impl Iterator<Item = f64> {
     (FIRST..=STEPS).map(|step| STEP * f64::from(step))
 }
 
-/// A curve an integrator as far as it lies in the frame, those that coincide as one.
+/// Returns a curve for each integrator, without points outside of the frame. Curves that coincide are merged.
 fn curves([low, high]: [f64; 2], value: impl Fn(Scheme, f64) -> Option<f64>) -> Vec<Curve> {
     let mut all: Vec<Curve> = Vec::new();
     for scheme in Integrator::ALL.iter().copied().map(Scheme::once) {
@@ -100,7 +101,7 @@ fn same(a: &[[f64; 2]], b: &[[f64; 2]]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(close)
 }
 
-/// Curves over omega dt.
+/// Draws curves over omega dt.
 fn panel(
     area: &Area<'_>,
     title: &str,
@@ -116,13 +117,13 @@ fn panel(
         .y_label_area_size(52)
         .build_cartesian_2d(0.0..last, low..high)?;
     chart.configure_mesh().x_desc("omega dt").label_style(("sans-serif", 14)).light_line_style(WHITE).draw()?;
-    // a seventh curve is black
+    // the colour of a seventh curve is black
     let colours = SERIES.into_iter().chain([BLACK]).cycle();
     for (Curve { names, points }, colour) in curves.iter().zip(colours) {
         let style = colour.stroke_width(2);
         let key = move |(x, y)| PathElement::new([(x, y), (x + 22, y)], style);
         chart.draw_series(LineSeries::new([], style))?.label(names.join(", ")).legend(key);
-        // a curve that left the frame and came back is drawn in two pieces
+        // a curve that leaves the frame and returns is drawn in two pieces
         for piece in points.chunk_by(|a, b| b[0] - a[0] < 1.5 * STEP) {
             chart.draw_series(LineSeries::new(piece.iter().map(|[p, y]| (*p, *y)), style))?;
         }

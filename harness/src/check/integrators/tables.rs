@@ -1,29 +1,31 @@
-//! What was measured, in tables.
+//! Tables of the measured results.
 use super::swings::{STIFFNESSES, omega_dt};
 use super::{DAMPED, DAMPINGS, HARDENING, Measured};
 use crate::outcome::table;
 
-/// Limits, orders, areas, runs.
+/// Returns the tables of limits, orders, areas and runs, each with an explanation.
 pub(super) fn all(all: &[Measured]) -> Vec<String> {
     vec![
-        "Each cell: theory / runs in f64 / runs in f32. Undamped, Euler grows at any step, and the position-corrected \
-         Beeman at all but those between 0.738 and sqrt(3 / 2): of these two, growth in a step is held against theory."
+        "Each cell: theory / runs in f64 / runs in f32. Without damping, Euler grows at any step, and the \
+         position-corrected Beeman integrator at all steps but those between 0.738 and sqrt(3 / 2); for these two, \
+         the growth per step is compared with theory."
             .into(),
         limits(all),
         format!(
-            "Orders: of the error after 3 s without damping and at zeta = {DAMPED}, and of one step without damping, each of \
-             position / velocity. Areas: their largest change in 40 steps at omega dt = 0.5, with a linear spring and with one \
-             that stiffens (s = {HARDENING} per m2). Beeman and its velocity-corrected form make Verlet's positions; their \
-             velocities differ from Verlet's by a multiple of a difference of accelerations, which on a linear spring is a \
-             constant factor of each area and on another one is not: areas breathe, and energy does not drift."
+            "Orders of the error after 3 s without damping and at zeta = {DAMPED}, and of one step without damping; \
+             each for position / velocity. Areas: largest relative change in 40 steps at omega dt = 0.5, with a \
+             linear spring and with a hardening one (s = {HARDENING} per m2). Beeman and its velocity-corrected form \
+             give Verlet's positions. Their velocities differ from Verlet's by a multiple of a difference of \
+             accelerations. On a linear spring that is a constant factor of each area. On another spring it is not: \
+             areas then oscillate, but the energy does not drift."
         ),
         orders(all),
-        "Undamped, 30 s of Pirovano's oscillators: amplitude of the position / of the velocity over the first, over the last 5 s, and \
-         error of the frequency. K = 100000 N/m lies on omega dt = 2."
+        "Undamped, 30 s of Pirovano's oscillators: amplitude of the position / of the velocity in the last 5 s, over \
+         the first, and error of the frequency. K = 100000 N/m is exactly at omega dt = 2."
             .into(),
         undamped(all),
-        "Critically damped, 30 s: largest error of the position over the first one; of what has not died away, its amplitude \
-         at the end."
+        "Critically damped, 30 s: largest error of the position over the first position; for a motion that has not \
+         decayed, its amplitude at the end."
             .into(),
         damped(all),
     ]
@@ -70,7 +72,7 @@ fn damped(all: &[Measured]) -> String {
     })
 }
 
-/// A row a scheme, a column a stiffness.
+/// Returns a table with a row for each scheme and a column for each stiffness.
 fn by_stiffness(title: &str, all: &[Measured], cell: impl Fn(&Measured, usize) -> String) -> String {
     let titles = STIFFNESSES.map(|k| format!("K = {k}, p = {:.4}", omega_dt(k)));
     let [a, b, c, d, e] = titles.each_ref().map(String::as_str);
@@ -81,10 +83,10 @@ fn by_stiffness(title: &str, all: &[Measured], cell: impl Fn(&Measured, usize) -
     table([title, a, b, c, d, e], all.iter().map(row))
 }
 
-/// Three digits, in whichever way is readable.
+/// Formats a number with three digits, in decimal or exponential notation.
 pub(super) fn number(value: f64) -> String {
     if !value.is_finite() {
-        return "beyond f64".into();
+        return "not finite".into();
     }
     if value == 0.0 || (1e-3..1e3).contains(&value.abs()) { format!("{value:.3}") } else { format!("{value:.1e}") }
 }
