@@ -158,7 +158,7 @@ fn what_the_plan_left_out_is_refused_by_name_unless_it_is_live() {
         (Adjustable::Gravity, |s| s.set_gravity([0.0, -1.0, 0.0]), "gravity"),
         (Adjustable::Wind, |s| s.set_wind(Some(Wind { velocity: Vec3::new(1.0, 0.0, 0.0), drag: 1.0 })), "wind"),
         (Adjustable::Viscosity, |s| s.set_viscosity(0, 1.0), "dynamic_viscosity"),
-        (Adjustable::SurfaceTension, |s| s.set_surface_tension(0, 1.0), "fluids[0].surface_tension"),
+        (Adjustable::SurfaceTension, |s| s.set_surface_tension(0, 1.0), "surface_tension"),
     ];
     for (live, change, field) in cases {
         let mut keeps = still.clone();
@@ -227,7 +227,7 @@ fn what_no_scene_can_have_is_refused_and_changes_nothing() {
         (scene(), |s| s.set_time_step(-1.0), "time_step"),
         (scene(), |s| s.set_viscosity(0, f32::INFINITY), "dynamic_viscosity"),
         (scene(), |s| s.set_viscosity(1, 1.0), "set_viscosity"),
-        (scene(), |s| s.set_speed_of_sound(0, 0.0), "fluid.speed_of_sound"),
+        (scene(), |s| s.set_speed_of_sound(0, 0.0), "fluids[0].speed_of_sound"),
         (adaptive, |s| s.set_time_step(0.001), "adaptive"),
         (beeman, |s| s.set_time_step(0.002), "Beeman"),
     ];

@@ -1,5 +1,5 @@
-//! Steps counted out by simulated time: how many steps fit into a frame of a game, or up to a point in time. Both backends run
-//! this text, so both make the same steps.
+//! Steps counted out by simulated time: how many steps fit into a frame of a game, or up to a point in time. Both
+//! backends run this text, so both make the same steps.
 use crate::clock::TimeReport;
 use crate::error::StepError;
 use crate::executor::Executor;
@@ -11,23 +11,23 @@ use crate::solver::Solver;
 pub struct Advance {
     /// Steps that were made.
     pub steps: u32,
-    /// Time that was asked for and is not simulated yet, s: less than a step, and a little below zero where a step came early by a
-    /// thousandth of its length. The next call of [`Solver::advance`] makes up for it.
+    /// Time that was asked for and is not simulated yet, s: less than a step, and a little below zero where a step came
+    /// early by a thousandth of its length. The next call of [`Solver::advance`] makes up for it.
     pub remainder: f64,
-    /// Time that was given up, s: whole steps beyond the number that the caller allows. A game that cannot keep up runs in slow
-    /// motion then, instead of falling behind for ever.
+    /// Time that was given up, s: whole steps beyond the number that the caller allows. A game that cannot keep up runs
+    /// in slow motion then, instead of falling behind for ever.
     pub dropped: f64,
 }
 
-/// Share of its length by which a step may come early. Without it rounding would decide, frame by frame, whether ten steps of 1/600 s
-/// fit into 1/60 s.
+/// Share of its length by which a step may come early. Without it rounding would decide, frame by frame, whether ten
+/// steps of 1/600 s fit into 1/60 s.
 const EARLY: f64 = 1e-3;
 
 /// Share of a step that counts as no time left.
 const LANDED: f64 = 1e-6;
 
-/// A bound that is computed from the largest growth keeps this distance from the exact comparison, so that rounding cannot make
-/// them differ.
+/// A bound that is computed from the largest growth keeps this distance from the exact comparison, so that rounding
+/// cannot make them differ.
 const SAFETY: f64 = 1.0 + 1e-9;
 
 /// A fluid whose steps are counted out.
@@ -76,7 +76,8 @@ impl Pace {
         }
     }
 
-    /// Steps that certainly fit after one that fits, while `left` of the time, s, is at least `margin` times the next step, `step`.
+    /// Steps that certainly fit after one that fits, while `left` of the time, s, is at least `margin` times the next
+    /// step, `step`.
     fn further(self, left: f64, step: f64, margin: f64, most: u32) -> u32 {
         if !self.is_adaptive {
             let fits = libm::floor(left / step - margin * SAFETY);
@@ -200,11 +201,13 @@ impl<E: Executor> Paced for OnCpu<'_, '_, E> {
 }
 
 impl Solver<'_> {
-    /// Advances the fluid by `seconds` of simulated time, in as many time steps as that takes, and at most `most_steps`.
+    /// Advances the fluid by `seconds` of simulated time, in as many time steps as that takes, and at most
+    /// `most_steps`.
     ///
-    /// This is the call for a game loop: once a frame, with the length of the frame. Time that is shorter than a step is carried into
-    /// the next call, so that simulated time keeps up with the time asked for. Time beyond `most_steps` is dropped, and the
-    /// answer says how much. Any time step is made in full: it follows from the scene, and never from the frame rate.
+    /// This is the call for a game loop: once a frame, with the length of the frame. Time that is shorter than a step
+    /// is carried into the next call, so that simulated time keeps up with the time asked for. Time beyond `most_steps`
+    /// is dropped, and the answer says how much. Any time step is made in full: it follows from the scene, and never
+    /// from the frame rate.
     ///
     /// ```
     /// use millpond_core::glam::Vec3;
@@ -224,20 +227,22 @@ impl Solver<'_> {
     /// ```
     ///
     /// # Errors
-    /// [`StepError::InvalidTime`] for a negative time or one that is not finite. Any other [`StepError`] where a step cannot be made: the
-    /// fluid is as it was before that step, the steps before it count, and the time that was asked for is forgotten.
+    /// [`StepError::InvalidTime`] for a negative time or one that is not finite. Any other [`StepError`] where a step
+    /// cannot be made: the fluid is as it was before that step, the steps before it count, and the time that was asked
+    /// for is forgotten.
     pub fn advance(&mut self, seconds: f64, most_steps: u32, executor: &impl Executor) -> Result<Advance, StepError> {
         advance(&mut OnCpu { solver: self, executor }, seconds, most_steps)
     }
 
     /// Steps the fluid up to a point in simulated time, s, in at most `most_steps`.
     ///
-    /// With adaptive time steps the last one or two steps are shortened, so that the clock shows that time to one part in 10^6 of a
-    /// step. With a fixed time step the fluid stops at the last whole step before it, and the remainder says how far it is.
+    /// With adaptive time steps the last one or two steps are shortened, so that the clock shows that time to one part
+    /// in 10^6 of a step. With a fixed time step the fluid stops at the last whole step before it, and the remainder
+    /// says how far it is.
     ///
     /// # Errors
-    /// [`StepError::InvalidTime`] for a time that has passed or is not finite. Any other [`StepError`] where a step cannot be made: the
-    /// fluid is as it was before that step, and the steps before it count.
+    /// [`StepError::InvalidTime`] for a time that has passed or is not finite. Any other [`StepError`] where a step
+    /// cannot be made: the fluid is as it was before that step, and the steps before it count.
     pub fn step_until(&mut self, time: f64, most_steps: u32, executor: &impl Executor) -> Result<Advance, StepError> {
         step_until(&mut OnCpu { solver: self, executor }, time, most_steps)
     }

@@ -1,4 +1,4 @@
-//! What a host changes between steps: its field, and whatever else of a scene may change while it runs.
+//! Changes between steps: the acceleration field, and all other values of a scene that may change while it runs.
 use crate::arithmetic::real::{div, vec3};
 use crate::error::SceneError;
 use crate::layout::{StepUniform, f32x4};
@@ -9,20 +9,24 @@ use crate::terms::integrate::history_rescaled;
 use glam::Vec3;
 
 impl Solver<'_> {
-    /// The host's field from now on, one acceleration a node of [`Scene::acceleration_field`](crate::scene::Scene::acceleration_field), x fastest, m/s2; the fourth numbers are
-    /// unused. A field that changes with time is set again before each step, as it will be at the end of the step; set before
-    /// the first step, it also acts in that step's first half.
+    /// Sets the acceleration field supplied by the caller, from the next step on. `points` has one acceleration, m/s2,
+    /// per node of [`Scene::acceleration_field`](crate::scene::Scene::acceleration_field), x fastest; the fourth
+    /// numbers are unused.
+    ///
+    /// Set a field that changes with time before each step, with its values at the end of that step. A field that is
+    /// set before the first step also acts in the first half of that step.
     ///
     /// # Errors
-    /// Fewer or more nodes than the scene says, or a value that is not finite; before the first step also one that makes
-    /// accelerations that are no numbers. The field then stays as it was.
+    /// [`SceneError::WrongLength`] if the scene has fewer or more nodes, and [`SceneError::NotFinite`] for a value that
+    /// is not finite; before the first step also [`SceneError::FirstStep`] if an acceleration is then not finite. The
+    /// field stays as it was.
     pub fn set_field(&mut self, points: &[f32x4]) -> Result<(), SceneError> {
         let (given, expected) = (points.len(), self.memory.given.acceleration_field.len());
         if given != expected {
             return Err(SceneError::WrongLength { call: "set_field", what: "points", given, expected });
         }
         if let Some(&value) = points.as_flattened().iter().find(|x| !x.is_finite()) {
-            return Err(SceneError::NotFinite { field: "field", value });
+            return Err(SceneError::NotFinite { field: "acceleration_field", value });
         }
         let begins = self.steps == 0 && expected > 0;
         if begins {
@@ -36,71 +40,82 @@ impl Solver<'_> {
         Ok(())
     }
 
-    /// Another acceleration of gravity from now on, m/s2; like every change between steps checked as at creation.
+    /// Sets the acceleration of gravity, m/s2, from the next step on. Like every change between steps it is checked as
+    /// at creation.
     ///
-    /// A change before the first step finds the particles as the scene's start made them: masses of a hydrostatic start stay those for
-    /// the values at creation, and supports that vary are found once more from the densities at the start.
+    /// Before the first step the particles stay as the scene's start created them: the masses of a hydrostatic start
+    /// are still those for the values at creation, while variable support radii are computed again from the densities
+    /// at the start.
     ///
     /// # Errors
-    /// A value that no scene can have. A term that the plan left out, where the scene does not list it in
-    /// [`Scene::adjustable`](crate::scene::Scene::adjustable). Before the first step also one that makes accelerations that are not finite. The fluid then is as it was.
+    /// A [`SceneError`] if the scene is not valid with this value, and [`SceneError::LeftOut`] if the plan left out the
+    /// term and [`Scene::adjustable`](crate::scene::Scene::adjustable) does not list it. Before the first step also
+    /// [`SceneError::FirstStep`] if an acceleration is then not finite. The fluid stays as it was.
     pub fn set_gravity(&mut self, gravity: impl Into<Vec3>) -> Result<(), SceneError> {
         self.change(Change::Gravity(gravity.into()))
     }
 
-    /// Another wind from now on, or none.
+    /// Sets the wind from the next step on; `None` for no wind.
     ///
     /// # Errors
-    /// As for [`Solver::set_gravity`].
+    /// Those of [`Solver::set_gravity`].
     pub fn set_wind(&mut self, wind: Option<Wind>) -> Result<(), SceneError> {
         self.change(Change::Wind(wind))
     }
 
-    /// Another time step from now on, s. What an integrator remembers of the last step follows.
+    /// Sets the time step, s, from the next step on. The history of the Verlet integrator, its last displacement, is
+    /// scaled to the new length.
     ///
     /// # Errors
-    /// As for [`Solver::set_gravity`]; also where the time step follows from the state, and with the integrators of Beeman.
+    /// Those of [`Solver::set_gravity`]; also [`SceneError::NotTogether`] if the time step is adaptive or
+    /// [`Recovery`](crate::scene::Recovery) may shorten it, and with all variants of Beeman's integrator.
     pub fn set_time_step(&mut self, time_step: f32) -> Result<(), SceneError> {
         self.change(Change::TimeStep(time_step))
     }
 
-    /// Another dynamic viscosity of a fluid by number from now on, Pa s; blocks and walls with one of their own keep it.
+    /// Sets the dynamic viscosity, Pa s, of the fluid with index `fluid` from the next step on. Blocks and walls with a
+    /// viscosity of their own keep it.
     ///
     /// # Errors
-    /// As for [`Solver::set_gravity`]; also a number that no fluid has.
+    /// Those of [`Solver::set_gravity`]; also [`SceneError::NoSuchFluid`] if the scene has no such fluid, and
+    /// [`SceneError::NotTogether`] if the form of the viscosity does not use the dynamic viscosity.
     pub fn set_viscosity(&mut self, fluid: u32, viscosity: f32) -> Result<(), SceneError> {
         self.change(Change::Viscosity(fluid, viscosity))
     }
 
-    /// Another surface tension of a fluid by number from now on ([`Fluid::surface_tension`](crate::scene::Fluid::surface_tension)).
+    /// Sets the coefficient of surface tension ([`Fluid::surface_tension`](crate::scene::Fluid::surface_tension)) of
+    /// the fluid with index `fluid` from the next step on.
     ///
     /// # Errors
-    /// As for [`Solver::set_viscosity`].
+    /// Those of [`Solver::set_gravity`]; also [`SceneError::NoSuchFluid`] if the scene has no such fluid.
     pub fn set_surface_tension(&mut self, fluid: u32, tension: f32) -> Result<(), SceneError> {
         self.change(Change::SurfaceTension(fluid, tension))
     }
 
-    /// Another speed of sound of a fluid by number from now on, m/s. A near stiffness that the scene does not name follows.
+    /// Sets the speed of sound, m/s, of the fluid with index `fluid` from the next step on. A near stiffness that the
+    /// scene does not set is derived from the new value.
     ///
     /// # Errors
-    /// As for [`Solver::set_viscosity`]; also where it follows from a stiffness, or from the time step.
+    /// Those of [`Solver::set_surface_tension`]; also [`SceneError::NotTogether`] if the speed of sound is derived from
+    /// a stiffness or from the time step.
     pub fn set_speed_of_sound(&mut self, fluid: u32, speed: f32) -> Result<(), SceneError> {
         self.change(Change::SpeedOfSound(fluid, speed))
     }
 
-    /// Another constant of Tait's equation of a fluid by number from now on, Pa
-    /// ([`Fluid::stiffness`](crate::scene::Fluid::stiffness)).
+    /// Sets the constant B of Tait's equation ([`Fluid::stiffness`](crate::scene::Fluid::stiffness)), Pa, of the fluid
+    /// with index `fluid` from the next step on.
     ///
     /// # Errors
-    /// As for [`Solver::set_viscosity`].
+    /// Those of [`Solver::set_surface_tension`].
     pub fn set_stiffness(&mut self, fluid: u32, stiffness: f32) -> Result<(), SceneError> {
         self.change(Change::Stiffness(fluid, stiffness))
     }
 
-    /// Makes a change between two steps.
+    /// Makes a change between two steps. If it is rejected, the solver stays as it was.
     fn change(&mut self, change: Change) -> Result<(), SceneError> {
         let (live, mut next) = self.live.changed(change)?;
-        // the step's length and number are the clock's, unless it is they that change
+        // the length and the number of the next step are kept, because the clock sets them; only a new time step
+        // replaces the length
         let was = self.constants.step.time_step;
         let before = (core::mem::replace(&mut self.live, live), self.constants);
         if !matches!(change, Change::TimeStep(_)) {

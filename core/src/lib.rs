@@ -1,8 +1,9 @@
 //! millpond-core: a fluid of particles (smoothed particle hydrodynamics, SPH) that you step inside your own program.
 //!
-//! The crate needs no standard library and allocates nothing. You lend it memory ([`Storage`], [`OwnedMemory`], or slices of your own),
-//! describe what flows ([`scene::Scene`]), and step it ([`Solver::step`]). The same scene gives the same bits on any number of threads,
-//! at every SIMD level, in debug and release builds, with either grid structure, and on a GPU in strict mode (`millpond-gpu`).
+//! The crate needs no standard library and allocates nothing. You lend it memory ([`Storage`], [`OwnedMemory`], or
+//! slices of your own), describe what flows ([`scene::Scene`]), and step it ([`Solver::step`]). The same scene gives
+//! the same bits on any number of threads, at every SIMD level, in debug and release builds, with either grid
+//! structure, and on a GPU in strict mode (`millpond-gpu`).
 //!
 //! All quantities are in SI units. In two dimensions every z is 0 and masses are per metre of depth.
 //!
@@ -15,11 +16,11 @@
 //! 4. `memory` and `layout`: the arrays, cut out of the memory you lend, and the bytes that both backends share;
 //! 5. `solver`: the public API, with `live` (changes between steps), `save` (bytes), `report` and `springs`;
 //! 6. `step` runs the commands; `passes` has the loops, one file a pass, in folders in the order of the step;
-//! 7. `terms`: the physics, each formula once for scalars, SIMD lanes and WGSL; `arithmetic`: the functions that formulas may call;
-//!    `grid`: how neighbours are found.
+//! 7. `terms`: the physics, each formula once for scalars, SIMD lanes and WGSL; `arithmetic`: the functions that
+//!    formulas may call; `grid`: how neighbours are found.
 //!
-//! A formula names its source by author and year, and `docs/references.md` of the repository lists the sources. "Corrected" beside
-//! an equation means that the source misprints it: `docs/errata.md` has what it should say.
+//! A formula names its source by author and year, and `docs/references.md` of the repository lists the sources.
+//! "Corrected" beside an equation means that the source misprints it: `docs/errata.md` has what it should say.
 #![no_std]
 #![deny(unsafe_code)]
 

@@ -1,57 +1,57 @@
-//! What can be changed between steps: the scene is changed, checked as at creation, and all that follows from it follows again.
+//! Changes between steps: the scene is changed and checked as at creation, and its constants are derived again.
 use crate::derive::Derived;
 use crate::error::SceneError;
 use crate::layout::{Materials, Model, Parameters, StepUniform};
-use crate::scene::{Adjustable, FLUIDS, Fluid, Integrator, Scene, SurfaceTension, Viscosity, Wind};
+use crate::scene::{Adjustable, FLUIDS, Fluid, Integrator, Recovery, Scene, SurfaceTension, Viscosity, Wind};
 use glam::Vec3;
 
 /// A change between two steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Change {
-    /// Acceleration of gravity, m/s2.
+    /// The acceleration of gravity, m/s2.
     Gravity(Vec3),
-    /// The wind, or none.
+    /// The wind, or `None` for no wind.
     Wind(Option<Wind>),
     /// The time step, s.
     TimeStep(f32),
-    /// The dynamic viscosity of a fluid by number, Pa s.
+    /// The dynamic viscosity, Pa s, of the fluid with this index.
     Viscosity(u32, f32),
-    /// The surface tension of a fluid by number ([`Fluid::surface_tension`]).
+    /// The coefficient of surface tension ([`Fluid::surface_tension`]) of the fluid with this index.
     SurfaceTension(u32, f32),
-    /// The speed of sound of a fluid by number, m/s.
+    /// The speed of sound, m/s, of the fluid with this index.
     SpeedOfSound(u32, f32),
-    /// Tait's constant of a fluid by number, Pa ([`Fluid::stiffness`]).
+    /// The constant B of Tait's equation ([`Fluid::stiffness`]), Pa, of the fluid with this index.
     Stiffness(u32, f32),
 }
 
-/// The constants of a scene as they are now.
+/// The constants of a scene with its current values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constants {
-    /// What every pass reads.
+    /// Constants that every pass reads.
     pub parameters: Parameters,
-    /// What each material has of its own.
+    /// Constants of each material.
     pub materials: Materials,
-    /// The numbers of the step.
+    /// The numbers of the next step.
     pub step: StepUniform,
     /// Largest kinematic viscosity, m2/s.
     pub kinematic_viscosity: f32,
 }
 
-/// What may have been changed between steps, as it is saved.
+/// The values of a scene that can be changed between steps, as they are saved.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LiveValues {
     gravity: [f32; 3],
     wind: [f32; 4],
     has_wind: bool,
     time_step: f32,
-    /// Of each fluid its viscosity, tension, speed of sound, and stiffness or 0.
+    /// For each fluid its dynamic viscosity, coefficient of surface tension, speed of sound, and stiffness or 0.
     fluids: [[f32; LiveValues::OF_FLUID]; FLUIDS],
 }
 
 impl LiveValues {
     const OF_FLUID: usize = 4;
 
-    /// Words of them.
+    /// Number of words of the saved values.
     pub const WORDS: usize = 9 + LiveValues::OF_FLUID * FLUIDS;
 
     pub(crate) fn to_words(self) -> [u32; LiveValues::WORDS] {
@@ -74,18 +74,18 @@ impl LiveValues {
 }
 
 impl Constants {
-    /// The same scene with time standing still: a step with these evaluates the forces and moves nothing.
+    /// The constants with time at rest. A step with them evaluates the forces and moves nothing.
     pub(crate) fn at_rest(&self) -> Constants {
         Constants { parameters: self.parameters.at_rest(), step: self.step.at_rest(), ..*self }
     }
 
-    /// The same scene with time running back, with no walls to meet and springs that bear everything.
+    /// The constants with time running backwards, without penalty planes, and with springs that never break.
     pub(crate) fn backwards(&self) -> Constants {
         Constants { parameters: self.parameters.backwards(), step: self.step.backwards(), ..*self }
     }
 }
 
-/// A scene that runs.
+/// The scene of a running solver, with its current values.
 #[derive(Clone, Debug)]
 pub struct LiveScene {
     scene: Scene,
@@ -95,15 +95,16 @@ pub struct LiveScene {
 }
 
 impl LiveScene {
-    /// Of a scene that is run by this model, with so many particles, those of air from the second number on.
+    /// Creates it from the scene, its model, the number of particles, and the id from which on particles belong to the
+    /// layer of air.
     pub(crate) fn new(scene: &Scene, model: Model, [particles, first_air]: [u32; 2]) -> LiveScene {
         let mut scene = scene.clone();
-        // where particles start is over and done with
+        // a hydrostatic start only matters until the particles are created, and later changes need not fit it
         scene.model.initialize_hydrostatic = false;
         LiveScene { scene, model, particles, first_air }
     }
 
-    /// The constants of what was derived from its scene.
+    /// Returns the constants derived from the scene, with the particle counts of the solver.
     pub(crate) fn constants(&self, derived: &Derived) -> Constants {
         let (particle_count, first_air) = (self.particles, self.first_air);
         Constants {
@@ -114,7 +115,7 @@ impl LiveScene {
         }
     }
 
-    /// How many materials it has: fluids, blocks, walls.
+    /// Numbers of fluids, blocks and walls, which determine the materials that the scene uses.
     pub(crate) fn materials(&self) -> [usize; 3] {
         [self.scene.fluids.len(), self.scene.blocks.len(), self.scene.walls.len()]
     }
@@ -125,7 +126,7 @@ impl LiveScene {
         self.scene.time_step
     }
 
-    /// What may have been changed of it.
+    /// The values of the scene that can be changed between steps.
     #[must_use]
     pub fn values(&self) -> LiveValues {
         let scene = &self.scene;
@@ -147,7 +148,7 @@ impl LiveScene {
         }
     }
 
-    /// The same scene with these values, and its constants.
+    /// Returns the scene with these values, and its constants.
     pub(crate) fn with_values(&self, values: &LiveValues) -> Result<(LiveScene, Constants), SceneError> {
         let mut next = self.clone();
         let [x, y, z, drag] = values.wind;
@@ -164,10 +165,10 @@ impl LiveScene {
         Ok((next, constants))
     }
 
-    /// The same scene after a change, with its constants.
+    /// Returns the scene after a change, and its constants.
     ///
     /// # Errors
-    /// A scene that could not be created like that, and a term that was left out.
+    /// A [`SceneError`] if the changed scene is not valid, or if the plan left out the term that is to change.
     pub fn changed(&self, change: Change) -> Result<(LiveScene, Constants), SceneError> {
         let mut next = self.clone();
         next.apply(change)?;
@@ -196,29 +197,30 @@ impl LiveScene {
                 self.fluid("set_viscosity", fluid)?.dynamic_viscosity = viscosity;
                 let choice = self.scene.model.viscosity;
                 if matches!(choice, Viscosity::Artificial | Viscosity::VelocityExchange) {
-                    let (choice, other) = ("set_viscosity", "model.viscosity Artificial or Exchange");
-                    let why = "these have coefficients of their own, which stay as they are";
+                    let (choice, other) = ("set_viscosity", "model.viscosity Artificial or VelocityExchange");
+                    let why =
+                        "these use coefficients in model instead of dynamic_viscosity; use another model.viscosity";
                     return Err(SceneError::NotTogether { choice, other, why });
                 }
                 kept(m.viscosity != 0 || viscosity == 0.0, Adjustable::Viscosity)
             }
             Change::SurfaceTension(fluid, tension) => {
                 self.fluid("set_surface_tension", fluid)?.surface_tension = tension;
-                // without a model of it the check says so
+                // if the scene has no model of surface tension, the check of the scene reports it
                 let has_model = self.scene.model.surface_tension != SurfaceTension::Off;
                 kept(m.tension != 0 || tension == 0.0 || !has_model, Adjustable::SurfaceTension)
             }
             Change::SpeedOfSound(fluid, speed) => {
                 if self.scene.stiffness_for_time_step.is_some() {
                     let (choice, other) = ("set_speed_of_sound", "stiffness_for_time_step");
-                    let why = "the speed of sound follows from the time step: set that";
+                    let why = "the speed of sound is derived from the time step; call set_time_step";
                     return Err(SceneError::NotTogether { choice, other, why });
                 }
                 let fluid = self.fluid("set_speed_of_sound", fluid)?;
                 fluid.speed_of_sound = speed;
                 if fluid.stiffness.is_some() {
-                    let (choice, other) = ("set_speed_of_sound", "stiffness");
-                    let why = "the speed of sound follows from the stiffness: set that";
+                    let (choice, other) = ("set_speed_of_sound", "the stiffness of that fluid");
+                    let why = "the speed of sound is derived from the stiffness; call set_stiffness";
                     return Err(SceneError::NotTogether { choice, other, why });
                 }
                 Ok(())
@@ -235,12 +237,19 @@ impl LiveScene {
         self.scene.time_step = time_step;
         let refused = |other, why| Err(SceneError::NotTogether { choice: "set_time_step", other, why });
         if self.scene.adaptive.is_some() {
-            return refused("adaptive", "the time step follows from the state");
+            return refused("adaptive", "the time step is derived from the state of the fluid; omit adaptive");
+        }
+        if self.scene.recovery != Recovery::Refuse {
+            return refused(
+                "recovery ShortenStep",
+                "the solver itself changes the time step after a failed step; use recovery Refuse",
+            );
         }
         if matches!(self.scene.model.integrator, Beeman | VelocityCorrectedBeeman | PositionCorrectedBeeman) {
             return refused(
-                "a model.integrator of Beeman's",
-                "it remembers an acceleration one step of the same length ago",
+                "model.integrator Beeman or any variant of it",
+                "its history of the last step assumes steps of equal length; use another integrator, such as \
+                 ModifiedVelocityVerlet",
             );
         }
         Ok(())

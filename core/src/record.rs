@@ -24,13 +24,15 @@ pub struct Record {
     pub steps: u64,
     /// Simulated time in scenes with a constant time step.
     pub steady: SteadyTime,
+    /// Up to when [`Solver::advance`](crate::Solver::advance) was asked for steps, s.
+    pub due: f64,
     /// The clock: simulated time, its rounding error, the last time step, and the largest time step that the criteria
     /// allowed, s.
     pub clock: [f32; 4],
     /// The next time step, s.
     pub time_step: f32,
     /// Number of rejected steps, and of steps that should have been shorter than the shortest time step allowed.
-    pub counts: [u32; 2],
+    pub counts: [u32; 3],
     /// Result of the pressure correction.
     pub correction: CorrectionReport,
     /// Number of spawn requests for which no inactive particle was left.
@@ -41,17 +43,18 @@ pub struct Record {
 
 impl Record {
     /// Number of words in a record.
-    pub const WORDS: usize = 19 + LiveValues::WORDS;
+    pub const WORDS: usize = 22 + LiveValues::WORDS;
 
     /// The record of a GPU solver: from its status, and from values that the host program keeps.
     #[must_use]
-    pub fn of_status(status: &Status, steady: SteadyTime, time_step: f32, live: &LiveScene) -> Record {
+    pub fn of_status(status: &Status, steady: SteadyTime, due: f64, time_step: f32, live: &LiveScene) -> Record {
         Record {
             steps: u64::from(status.steps),
             steady,
+            due,
             clock: [status.clock, status.clock_lost, status.last_time_step, status.last_wanted],
             time_step,
-            counts: [status.rejected_steps, status.held],
+            counts: [status.rejected_steps, status.clamped_steps, status.shortened_steps],
             correction: CorrectionReport {
                 iterations: status.last_iterations,
                 total_iterations: u64::from(status.total_iterations),
@@ -71,9 +74,12 @@ impl Record {
         wide(self.air_refused);
         self.clock.iter().for_each(|x| word(x.to_bits()));
         word(self.time_step.to_bits());
-        self.counts.into_iter().for_each(&mut word);
+        self.counts[..2].iter().for_each(|&count| word(count));
         word(self.correction.iterations);
         word(self.correction.residual.to_bits());
+        word(self.counts[2]);
+        let due = self.due.to_bits();
+        [due as u32, (due >> 32) as u32].into_iter().for_each(&mut word);
         self.live.to_words().into_iter().for_each(&mut word);
     }
 
@@ -86,10 +92,11 @@ impl Record {
             steady: SteadyTime { since: wide(2), at: f64::from_bits(wide(4)) },
             clock: [float(10), float(11), float(12), float(13)],
             time_step: float(14),
-            counts: [at(15), at(16)],
+            counts: [at(15), at(16), at(19)],
             correction: CorrectionReport { iterations: at(17), total_iterations: wide(6), residual: float(18) },
             air_refused: wide(8),
-            live: LiveValues::of_words(words.get(19..).unwrap_or_default()),
+            due: f64::from_bits(wide(20)),
+            live: LiveValues::of_words(words.get(22..).unwrap_or_default()),
         }
     }
 }

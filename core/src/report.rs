@@ -1,6 +1,6 @@
 //! Reports on a fluid as a whole. Nothing here is part of a step.
 use crate::arithmetic::real::vec3;
-use crate::grid::{Cells, Stencil, cell_of, is_limbo};
+use crate::grid::{Cells, Stencil, cell_of, is_inactive_cell};
 use crate::hash::tree_sum;
 use crate::layout::f32x4;
 use crate::memory::{Arrays, Sorting};
@@ -155,7 +155,7 @@ impl Solver<'_> {
         let support = |slot: usize| support_close(&m, &p, state.density_pressure[slot][0]);
         for cell in 0..cells.start.len() {
             let members = cells.members(cell);
-            if members.is_empty() || is_limbo(&m, &p, cell) {
+            if members.is_empty() || is_inactive_cell(&m, &p, cell) {
                 continue;
             }
             let stencil = Stencil::around(&p, layers, cells, cell);
@@ -190,7 +190,7 @@ impl Solver<'_> {
         self.sort_again();
         let scratch = &self.memory.scratch;
         let cells = Cells { start: scratch.cell_start, counter: scratch.grid_cell_counters };
-        let full = (0..cells.start.len()).filter(|&cell| cells.counter[cell] > 0 && !is_limbo(&m, &p, cell));
+        let full = (0..cells.start.len()).filter(|&cell| cells.counter[cell] > 0 && !is_inactive_cell(&m, &p, cell));
         let tested = |cell: usize| {
             let around = Stencil::around(&p, m.is_3d as i32, cells, cell).runs().map(|run| run.len()).sum::<usize>();
             u64::from(cells.counter[cell]) * around as u64
@@ -214,7 +214,7 @@ impl Solver<'_> {
         let (m, p) = (self.plan().model, *self.parameters());
         self.sort_again();
         let counts = self.memory.scratch.grid_cell_counters.iter().enumerate();
-        counts.filter(|&(cell, _)| !is_limbo(&m, &p, cell)).map(|(_, &count)| count).max().unwrap_or(0)
+        counts.filter(|&(cell, _)| !is_inactive_cell(&m, &p, cell)).map(|(_, &count)| count).max().unwrap_or(0)
     }
 
     /// Writes the slots, sorted by cell and id, to `source_slot`. This is needed because penalty planes move particles

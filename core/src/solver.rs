@@ -1,4 +1,4 @@
-//! The public face: a scene in lent memory, stepped.
+//! The solver: a scene in memory lent by the caller, advanced step by step.
 use crate::arithmetic::level::Simd;
 use crate::clock::{Clock, SteadyTime, TimeReport, set_step};
 use crate::derive::kernel_tables::fill_tables;
@@ -17,9 +17,10 @@ use crate::plan::schedule::{Command, Schedule, evaluation};
 use crate::record::{CorrectionReport, Record, fingerprint};
 use crate::scene::{InitialParticle, Scene};
 use crate::step;
+use crate::terms::time_step::step_half;
 use crate::validate::{Checked, check_count};
 
-/// A fluid that can be stepped.
+/// A fluid in motion: the particles of a scene, which [`Solver::step`] advances in time.
 ///
 /// ```
 /// use millpond_core::glam::Vec3;
@@ -54,11 +55,11 @@ pub struct Solver<'m> {
     pub(crate) steps: u64,
     correction: CorrectionReport,
     pub(crate) air_refused: u64,
-    /// Up to when [`Solver::advance`] was asked for steps, s.
+    /// Time up to which [`Solver::advance`] was asked to advance the fluid, s.
     pub(crate) due: f64,
-    /// Which of the two states is the fluid; the other is where a step is tried.
+    /// Index of the state that is the fluid. A step is tried in the state with the other index.
     pub(crate) current: usize,
-    /// Are the neighbour lists of the last step still in memory?
+    /// Whether the neighbour lists of the last step are still in memory.
     pub(crate) has_lists: bool,
     requirements: Requirements,
     fingerprint: u64,
@@ -66,20 +67,26 @@ pub struct Solver<'m> {
 }
 
 impl<'m> Solver<'m> {
-    /// A scene at its start, its first accelerations evaluated.
+    /// Creates a solver of a scene at its start: places the particles and evaluates their first accelerations.
     ///
     /// # Errors
-    /// A scene that cannot run, or memory too small for it.
+    /// A [`SceneError`] if the scene cannot run, if the memory is too small for it, or if the forces at the start
+    /// cannot be evaluated.
     pub fn new(scene: &Scene, memory: Memory<'m>) -> Result<Solver<'m>, SceneError> {
         let scene = scene.check()?;
         Solver::with_particles(&scene, Plan::of(&scene), scene.derived().particles(), scene.initial_particles(), memory)
     }
 
-    /// The same by a plan of the scene's, and with `count` particles wherever you like; their ids are 0, 1, 2 ... With air the
-    /// last [`Air::capacity`](crate::scene::Air::capacity) of them are its own: of its fluid, or not there yet.
+    /// Creates a solver with a plan of the scene and with `count` particles supplied by the caller, whose ids are 0, 1,
+    /// 2 ... in the order given. The plan is [`Plan::of`] or [`Plan::everything`] of the scene. With a layer of air the
+    /// last [`Air::capacity`](crate::scene::Air::capacity) particles belong to it: each has the material of the layer's
+    /// fluid, or is inactive.
     ///
     /// # Errors
-    /// Memory that is too small; a plan of another scene; more or fewer particles than `count`.
+    /// Those of [`Solver::new`]; also [`SceneError::PlanOfAnotherScene`], [`SceneError::TooManyParticles`], and
+    /// [`SceneError::WrongLength`] if `particles` yields more or fewer than `count` items. A particle is rejected if a
+    /// quantity of it is not finite, if its mass is not positive, if it lies outside of the plane in 2D, or if it has a
+    /// material or a mass that the plan does not support.
     pub fn with_particles(
         scene: &Checked<'_>,
         plan: Plan,
@@ -119,31 +126,33 @@ impl<'m> Solver<'m> {
         solver.memory.given.acceleration_field.fill([0.0; 4]);
         solver.fill(scene, particles)?;
         solver.evaluate(None)?;
-        // no spring pulls at the start, so that it does not matter that they are made last
+        // springs are made after the first evaluation, which does not need them: at rest length they exert no force
         solver.join(scene)?;
         solver.remember();
         Ok(solver)
     }
 
-    /// Computes at this level, or the best one below it that the processor has. Never changes a bit.
+    /// Sets the SIMD level, or the fastest level of the processor if it lacks this one (default: the fastest level).
+    /// The level changes the speed of steps, and never a bit of the result.
     #[must_use]
     pub fn at_level(mut self, simd: Simd) -> Self {
         self.simd = simd.or_best();
         self
     }
 
-    /// One time step.
+    /// Makes one time step. `executor` runs the passes: [`Serial`](crate::Serial) on the calling thread, or an
+    /// [`Executor`] of your own on several threads. To follow the clock of a game use [`Solver::advance`].
     ///
     /// # Errors
-    /// A step that cannot be made; the fluid then is as it was before.
+    /// A [`StepError`] if the step cannot be made. The fluid is then as it was before the step.
     pub fn step(&mut self, executor: &impl Executor) -> Result<(), StepError> {
         self.step_observed(executor, &mut |_| ())
     }
 
-    /// One time step that tells `begins` of each pass before it runs: for a host with a clock.
+    /// Makes one time step, and calls `begins` with each pass before it runs. Use it to measure the time of the passes.
     ///
     /// # Errors
-    /// As for [`Solver::step`].
+    /// Those of [`Solver::step`].
     pub fn step_observed(
         &mut self,
         executor: &impl Executor,
@@ -159,12 +168,22 @@ impl<'m> Solver<'m> {
     ) -> Result<(), StepError> {
         let (model, schedule) = (self.plan.model, self.schedule.clone());
         let (mut constants, mut clock) = (self.constants, self.clock);
-        for _ in 0..MOST_ATTEMPTS {
-            let found = self.attempt(executor, &model, &constants, None, &schedule, begins)?;
+        let (mut rejected, mut shortened) = (0, 0);
+        while rejected < MOST_ATTEMPTS {
+            let found = match self.attempt(executor, &model, &constants, None, &schedule, begins) {
+                Err(_) if shortened < constants.parameters.most_shortenings => {
+                    shortened += 1;
+                    constants.step = constants.step.with_time_step(step_half::<f32>(constants.step.time_step));
+                    continue;
+                }
+                found => found?,
+            };
             if !clock.after(&model, &constants.parameters, &mut constants.step, found.maxima) {
-                // the state that was tried is left where it is, and another one is tried
+                // the rejected state is not accepted, and the next attempt overwrites it
+                rejected += 1;
                 continue;
             }
+            clock.shortened(shortened);
             self.accept();
             (self.constants, self.clock) = (constants, clock);
             self.steps += 1;
@@ -179,19 +198,20 @@ impl<'m> Solver<'m> {
         Err(StepError::NoTimeStep { attempts: MOST_ATTEMPTS, step: self.steps + 1 })
     }
 
-    /// How simulated time follows from the steps, where they are all alike.
+    /// Simulated time as a function of the number of steps, in scenes with a fixed time step.
     #[must_use]
     pub fn steady_time(&self) -> SteadyTime {
         self.steady
     }
 
-    /// The scene as it is now.
+    /// The scene with the values that it has now, after all changes between steps.
     #[must_use]
     pub fn live(&self) -> &LiveScene {
         &self.live
     }
 
-    /// Evaluates forces in the state that is not the fluid, while time stands still or runs back.
+    /// Evaluates forces with time at rest or running backwards, and writes the result into the state that is not the
+    /// fluid.
     pub(crate) fn attempt_evaluation(
         &mut self,
         executor: &impl Executor,
@@ -202,7 +222,8 @@ impl<'m> Solver<'m> {
         self.attempt(executor, model, constants, field, &evaluation(model), &mut |_| ())
     }
 
-    /// Tries a step, in the state that is not the fluid; in another field than its own where one is given.
+    /// Tries a step, and writes the new state into the state that is not the fluid. `field`, if given, replaces the
+    /// solver's acceleration field.
     fn attempt(
         &mut self,
         executor: &impl Executor,
@@ -228,15 +249,16 @@ impl<'m> Solver<'m> {
         Ok(found)
     }
 
-    /// Makes the state that was tried the fluid.
+    /// Makes the state that was tried the new state of the fluid.
     pub(crate) fn accept(&mut self) {
         let [a, b] = &mut self.memory.states;
         a.pass_on_constants(b, &self.plan.model);
         self.current = 1 - self.current;
     }
 
-    /// The fluid as it lies in memory, sorted by the cells that its particles had where forces were evaluated: walls, and some
-    /// integrators, moved them once more.
+    /// The current state, as it lies in memory. Particles are sorted by the cells in which they were when forces were
+    /// evaluated. Penalty planes and some integrators move particles once more after that. To read single particles in
+    /// order of their ids use [`Solver::particles`].
     #[must_use]
     pub fn state(&self) -> &State<'m> {
         &self.memory.states[self.current]
@@ -246,19 +268,21 @@ impl<'m> Solver<'m> {
         self.current
     }
 
-    /// Slot of each particle in [`Solver::state`], by id.
+    /// Slot of each particle in the arrays of [`Solver::state`], by id.
     #[must_use]
     pub fn slots(&self) -> &[u32] {
         self.state().slot_of_id
     }
 
-    /// Ends of springs as they are now.
+    /// The spring ends of the current state: for each the id of the particle at the other end, and the rest length in m
+    /// as the bits of an f32, negative once the spring is broken. Empty in scenes without elastic fluids.
     #[must_use]
     pub fn spring_ends(&self) -> &[u32x2] {
         self.state().spring_ends
     }
 
-    /// The ends of springs of the state and, where they change, of the other one: to be filled and put back.
+    /// Takes the spring ends of the current state and of the other state out of the solver, to be filled and put back.
+    /// Those of the other state are empty if springs do not change, because there is only one copy then.
     pub(crate) fn take_spring_ends(&mut self) -> [&'m mut [u32x2]; 2] {
         let [a, b] = &mut self.memory.states;
         let (now, other) = if self.current == 0 { (a, b) } else { (b, a) };
@@ -270,32 +294,35 @@ impl<'m> Solver<'m> {
         (self.memory.states[current].spring_ends, self.memory.states[1 - current].spring_ends) = (own, others);
     }
 
-    /// An array of the state, or one that steps only read, as words of four bytes.
+    /// An array of the current state, or an array that steps only read, as words of four bytes. Empty for any other
+    /// array, and for one that the scene does not need.
     #[must_use]
     pub fn words(&self, array: Array) -> &[u32] {
         if array.class() == Class::Given { self.memory.given.words(array) } else { self.state().words(array) }
     }
 
-    /// What the pressure correction came to; all zero with an equation of state.
+    /// Result of the pressure correction; all zero with an equation of state.
     #[must_use]
     pub fn correction(&self) -> CorrectionReport {
         self.correction
     }
 
-    /// Nodes of the host's field; empty where the scene has none.
+    /// Nodes of the acceleration field supplied by the caller, m/s2, x fastest; the fourth numbers are unused. Empty in
+    /// scenes without such a field.
     #[must_use]
     pub fn field(&self) -> &[f32x4] {
         self.memory.given.acceleration_field
     }
 
-    /// Hash of all positions and velocities: equal if and, practically, only if every bit is.
+    /// Hash of all positions and velocities. Equal bits have equal hashes, and for practical purposes different bits
+    /// have different ones. Use it to compare runs.
     #[must_use]
     pub fn hash(&self) -> u64 {
         let state = self.state();
         state_hash(state.slot_of_id, state.position, state.velocity)
     }
 
-    /// Hash of every array of the state, what is remembered of the steps before and the ends of springs included.
+    /// Hash of every array of the current state, including the history of the integrator and the spring ends.
     #[must_use]
     pub fn full_hash(&self) -> u64 {
         let s = self.state();
@@ -312,7 +339,7 @@ impl<'m> Solver<'m> {
         full_state_hash(s.slot_of_id, &arrays, s.spring_ends)
     }
 
-    /// Steps that were made.
+    /// Number of steps made.
     #[must_use]
     pub fn steps(&self) -> u64 {
         self.steps
@@ -327,36 +354,37 @@ impl<'m> Solver<'m> {
         self.steady.after(self.steps, self.constants.step.time_step)
     }
 
-    /// What became of the time step.
+    /// Report on the time step: simulated time, the last and the next time step, and how many steps were rejected or
+    /// shortened.
     #[must_use]
     pub fn time_report(&self) -> TimeReport {
         TimeReport { time: self.time(), ..self.clock.report(&self.constants.step) }
     }
 
-    /// Up to when [`Solver::advance`] was asked for steps, s.
+    /// Time up to which [`Solver::advance`] was asked to advance the fluid, s.
     #[doc(hidden)]
     #[must_use]
     pub fn due(&self) -> f64 {
         self.due
     }
 
-    /// Sets the length of the next step, s, where lengths follow from the state.
+    /// Sets the length of the next step, s, in scenes with an adaptive time step.
     pub(crate) fn set_next_step(&mut self, step: f32) {
         set_step(&mut self.constants.step, step);
     }
 
-    /// Writes what a device's clock goes on from.
+    /// Writes the state of the clock into the status from which a GPU continues.
     pub fn fill_status(&self, status: &mut Status) {
         self.clock.fill(&self.constants.step, status);
     }
 
-    /// What tells its bytes from those of another scene.
+    /// Fingerprint of the scene and its plan. Saved bytes contain it, so that those of another scene are recognised.
     #[must_use]
     pub fn fingerprint(&self) -> u64 {
         self.fingerprint
     }
 
-    /// An array of the state, or one that steps only read, to be written.
+    /// An array of the current state, or an array that steps only read, as mutable words of four bytes.
     pub(crate) fn words_mut(&mut self, array: Array) -> &mut [u32] {
         if array.class() == Class::Given {
             self.memory.given.words_mut(array)
@@ -365,7 +393,7 @@ impl<'m> Solver<'m> {
         }
     }
 
-    /// Says that the particles lie in the order of their ids.
+    /// Sets the ids and slots of particles that lie in the order of their ids: particle `i` in slot `i`.
     pub(crate) fn lie_by_id(&mut self) {
         let state = &mut self.memory.states[self.current];
         for (id, (slot, slot_of_id)) in (0..).zip(state.id.iter_mut().zip(state.slot_of_id.iter_mut())) {
@@ -373,25 +401,26 @@ impl<'m> Solver<'m> {
         }
     }
 
-    /// Goes on with these constants from what a record says.
+    /// Continues with these constants, and with the counters of a saved record.
     pub(crate) fn go_on(&mut self, live: LiveScene, constants: &Constants, record: &Record) {
         (self.live, self.constants) = (live, *constants);
         (self.steps, self.steady, self.correction) = (record.steps, record.steady, record.correction);
+        self.due = record.due;
     }
 
-    /// How much memory of which arrays it has.
+    /// The arrays that the solver uses, and the memory that they need.
     #[must_use]
     pub fn requirements(&self) -> &Requirements {
         &self.requirements
     }
 
-    /// What a step consists of.
+    /// The plan: the arrays, passes and terms of a step.
     #[must_use]
     pub fn plan(&self) -> &Plan {
         &self.plan
     }
 
-    /// The scene's constants.
+    /// The constants of the scene.
     #[must_use]
     pub fn parameters(&self) -> &Parameters {
         &self.constants.parameters
@@ -403,13 +432,13 @@ impl<'m> Solver<'m> {
         &self.constants.materials
     }
 
-    /// The numbers of the next step.
+    /// The numbers of the next step: its length, its number, gravity and wind.
     #[must_use]
     pub fn uniform(&self) -> &StepUniform {
         &self.constants.step
     }
 
-    /// The level computed at.
+    /// The SIMD level that the solver uses.
     #[must_use]
     pub fn simd(&self) -> Simd {
         self.simd

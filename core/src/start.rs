@@ -1,4 +1,5 @@
-//! How a fluid starts: particles into memory, the first accelerations, what an integrator would remember of the steps before.
+//! The start of a fluid: writes the particles into memory, evaluates the first accelerations, and sets the history of
+//! the integrator.
 use crate::arithmetic::real::vec3;
 use crate::clock::{Clock, set_step};
 use crate::derive::{Material, material_of};
@@ -8,7 +9,7 @@ use crate::layout::{Model, f32x4};
 use crate::plan::arrays::Quantity;
 use crate::scene::{Dimension, InitialParticle};
 use crate::solver::Solver;
-use crate::terms::integrate::{MODIFIED_VELOCITY_VERLET, has_history, history_turned, is_beeman};
+use crate::terms::integrate::{MODIFIED_VELOCITY_VERLET, has_history, history_reversed, is_beeman};
 use crate::validate::Checked;
 
 impl Solver<'_> {
@@ -16,7 +17,7 @@ impl Solver<'_> {
     pub(crate) fn evaluate(&mut self, field: Option<&[f32x4]>) -> Result<(), StepError> {
         let mut constants = self.constants;
         set_step(&mut constants.step, self.live().time_step());
-        // with time standing still a step does nothing else
+        // with time at rest, a step only evaluates forces and sorts the particles
         let at_rest = constants.at_rest();
         let found = self.attempt_evaluation(&Serial, &self.plan.model.at_rest(), &at_rest, field)?;
         self.accept();
@@ -25,12 +26,12 @@ impl Solver<'_> {
         Ok(())
     }
 
-    /// What the integrator would remember of the steps before the first one.
+    /// Sets the history that the integrator would have from a step before the first one.
     ///
-    /// Verlet's displacement follows from velocity and acceleration. Beeman's takes the acceleration where the particles were a
-    /// step before, which an attempt at a step back in time finds, off by dt^2 (dt where forces depend on velocity): so no order is
-    /// lost. Where nothing can have been before, that attempt being refused, it takes `a_{-1} = a_0`, Beeman's own start, which loses
-    /// one where velocities are not 0.
+    /// The displacement of Verlet is computed from velocity and acceleration. The Beeman integrators need the
+    /// acceleration one step before the start. A trial step backwards in time finds it with an error of order dt^2 (dt
+    /// if forces depend on velocity), so that no order of accuracy is lost. If the trial step fails, the history is
+    /// `a_{-1} = a_0`, as Beeman starts, which loses one order if velocities are not 0.
     pub(crate) fn remember(&mut self) {
         let (m, u) = (self.plan.model, self.constants.step);
         if is_beeman(&m) {
@@ -51,7 +52,7 @@ impl Solver<'_> {
             let now = &mut self.memory.states[self.current];
             for (slot, history) in now.history.iter_mut().enumerate() {
                 let (v, a) = (vec3::<f32>::splat(now.velocity[slot]), vec3::<f32>::splat(now.acceleration[slot]));
-                let vec3 { x, y, z } = history_turned(&m, &u, v, a, v);
+                let vec3 { x, y, z } = history_reversed(&m, &u, v, a, v);
                 *history = [x, y, z, 0.0];
             }
         }
@@ -84,7 +85,7 @@ impl Solver<'_> {
                 (place.velocity.as_ref(), Quantity::Velocity),
                 (&[place.deviation, place.pressure], Quantity::Density),
             ];
-            // a step would say of any of them that the place is out of range, or nothing
+            // if one of these is not finite, a step would report a particle out of range, or would not report it at all
             if let Some((_, quantity)) = quantities.into_iter().find(|(of, _)| !of.iter().all(|x| x.is_finite())) {
                 return Err(SceneError::ParticleNotFinite { particle: slot as u32, quantity });
             }
@@ -109,7 +110,7 @@ impl Solver<'_> {
             if let Some(heat) = state.internal_energy.get_mut(slot) {
                 let energy = match material {
                     Some(Material::Fluid(fluid)) => scene.fluid_of(fluid).internal_energy,
-                    Some(Material::Inactive) => self.constants.parameters.air_heat,
+                    Some(Material::Inactive) => self.constants.parameters.air_internal_energy,
                     _ => 0.0,
                 };
                 *heat = [energy, 0.0, 0.0, 0.0];

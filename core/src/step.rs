@@ -1,4 +1,4 @@
-//! One step: the commands of a schedule, carried out one after the other.
+//! One step: carries out the commands of a schedule, one after the other.
 use crate::error::StepError;
 use crate::executor::Executor;
 use crate::passes::g_finish::commit::verdict;
@@ -6,7 +6,8 @@ use crate::passes::{self, context::Step};
 use crate::plan::passes::Pass;
 use crate::plan::schedule::{Command, interpret};
 
-/// Makes the new state, or says why it cannot; the old one stays as it was. `begins` is told of each pass before it runs.
+/// Makes the new state, or returns the error because of which it cannot be made. The old state stays as it was.
+/// `begins` is called with each pass before it runs.
 pub(crate) fn run(
     step: &mut Step<'_, '_, impl Executor>,
     commands: &[Command],
@@ -17,7 +18,7 @@ pub(crate) fn run(
             begins(pass);
             step.command = command;
             passes::run(pass, step);
-            // the passes after which there may be nothing to go on with, and the last one
+            // these passes find the errors after which the following ones cannot run; the last pass ends the step
             if matches!(pass, Pass::Count | Pass::CellLists | Pass::Commit) {
                 verdict(&step.found.status, step.setup.model.cell_places)?;
             }

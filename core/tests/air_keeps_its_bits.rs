@@ -15,7 +15,7 @@ use support::{Threads, Words, checked};
 
 /// Returns the active particles of the layer of air.
 fn coat(solver: &Solver<'_>) -> Vec<Particle> {
-    solver.particles().filter(|particle| particle.fluid == 1 && !particle.inactive && !particle.wall).collect()
+    solver.particles().filter(|particle| particle.fluid == 1 && !particle.is_inactive && !particle.is_wall).collect()
 }
 
 #[test]
@@ -36,8 +36,8 @@ fn a_bare_drop_is_coated_and_stays_so() {
         for _ in 0..100 {
             solver.step(&Serial).expect("a step");
             let now: Vec<Particle> = solver.particles().collect();
-            let there: Vec<&Particle> = now.iter().filter(|particle| !particle.inactive).collect();
-            for born in there.iter().filter(|a| before[a.id as usize].inactive) {
+            let there: Vec<&Particle> = now.iter().filter(|particle| !particle.is_inactive).collect();
+            for born in there.iter().filter(|a| before[a.id as usize].is_inactive) {
                 let others = there.iter().filter(|b| b.id != born.id);
                 let nearest = others.map(|b| b.position.distance(born.position)).fold(f32::INFINITY, f32::min);
                 assert!(nearest > 0.749 * SPACING, "made in the way of others: {} spacings", nearest / SPACING);
@@ -73,7 +73,7 @@ fn air_without_liquid_vanishes() {
         let mut solver = Solver::with_particles(&scene, plan, count, all.clone(), heap.lend()).expect("a scene");
         assert_eq!(solver.air().alive, 1);
         solver.step(&Serial).expect("a step");
-        assert!(solver.particles().nth(lost).is_some_and(|particle| particle.inactive), "it is gone");
+        assert!(solver.particles().nth(lost).is_some_and(|particle| particle.is_inactive), "it is gone");
         // its id is available again only from the next step on, so the particles that are spawned in this step skip it
         let ids: Vec<u32> = coat(&solver).iter().map(|particle| particle.id).collect();
         assert!(ids.iter().all(|&id| id as usize != lost) && ids.contains(&(lost as u32 + 1)));

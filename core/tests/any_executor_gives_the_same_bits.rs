@@ -28,8 +28,8 @@ fn scenes() -> Vec<(&'static str, Scene)> {
         "tables-in-cell-lists",
         "corrected-pressure",
         "two-fluids-periodic",
-        "adaptive-quasi-fluid",
-        "thesis-forms",
+        "adaptive-dynamic-walls",
+        "pirovano-forms",
         "monaghan-in-a-box",
         "stepped-density-verlet",
         "beeman-exchange"

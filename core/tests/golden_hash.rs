@@ -23,10 +23,10 @@ macro_rules! golden {
 
 /// Name, text, hash of positions and velocities and hash of all state after [`STEPS`] steps.
 const GOLDEN: &[(&str, &str, u64, u64)] = golden! {
-    "thesis-forms": 0x3d9a_9f44_70c3_97c1, 0xc945_a82e_0c0c_004e;
+    "pirovano-forms": 0x3d9a_9f44_70c3_97c1, 0xc945_a82e_0c0c_004e;
     "tables-in-cell-lists": 0x1c50_6809_c154_9b96, 0x98e4_ad86_fae1_0e04;
     "monaghan-in-a-box": 0xbbb2_eb98_e4f4_09bf, 0xae54_2cf9_ef9b_8664;
-    "adaptive-quasi-fluid": 0xf3b6_2a92_5f18_07b5, 0x1f84_a0e2_5546_2ca3;
+    "adaptive-dynamic-walls": 0xf3b6_2a92_5f18_07b5, 0x1f84_a0e2_5546_2ca3;
     "corrected-pressure": 0x571b_fc89_96a1_71f7, 0xc040_7246_eecb_34b7;
     "two-fluids-periodic": 0xdd32_a2f8_0ac2_235d, 0xcc73_16a0_8b1b_017c;
     "plastic-and-warm": 0xfd1b_708d_a8cd_9cbb, 0x65c3_3676_d97c_2cdb;

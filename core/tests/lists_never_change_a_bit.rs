@@ -115,7 +115,7 @@ fn with_walls_air_springs_periodic_axes_and_changing_supports() {
         "air-and-curvature",
         "corrected-pressure",
         "two-fluids-periodic",
-        "adaptive-quasi-fluid",
+        "adaptive-dynamic-walls",
         "stepped-density-verlet",
         "beeman-exchange"
     ];

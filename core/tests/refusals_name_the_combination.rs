@@ -195,9 +195,12 @@ fn properties_of_fluids_by_name() {
          NumberDensity, or model.pressure_force MuellerAdapted, MonaghanAdapted or DensityWeighted",
         |s| s.model.viscosity = Viscosity::MuellerAdapted,
     );
-    refused("fluids[0].surface_tension conflicts with model.surface_tension Off: choose a model, or set it to 0", |s| {
-        s.fluids[0].surface_tension = 1.0;
-    });
+    refused(
+        "fluids[0].surface_tension conflicts with model.surface_tension Off: choose a model, or set it to 0",
+        |s| {
+            s.fluids[0].surface_tension = 1.0;
+        },
+    );
     refused(
         "model.surface_tension Curvature conflicts with a model.density_kernel with a cusp at distance 0: the \
          kernel's Laplacian is infinite there; use a smooth density_kernel such as WendlandC2, or \

@@ -54,7 +54,7 @@ fn of_a_disc() {
             let r = particle.position.length() / SPACING;
             // a support reaches over 4 spacings, and the edge of the disc is a staircase with steps of one spacing
             if r < RADIUS - 5.0 {
-                assert!(!particle.at_surface && particle.curvature == 0.0, "{name}: {r} spacings out");
+                assert!(!particle.is_at_surface && particle.curvature == 0.0, "{name}: {r} spacings out");
             }
             // at a free surface the summed density decreases towards the edge, so that a particle of the outermost row
             // stands for twice its volume; for the next row the fluid then seems densest outside, so only the outermost
@@ -63,7 +63,7 @@ fn of_a_disc() {
             if r > RADIUS - rows {
                 let inward = -particle.normal.normalize().dot(particle.position.normalize());
                 // the faces of the staircase lie along the axes, so they turn a normal by up to 45 degrees
-                assert!(particle.at_surface && inward > 45f32.to_radians().cos(), "{name}: {r}, cosine {inward}");
+                assert!(particle.is_at_surface && inward > 45f32.to_radians().cos(), "{name}: {r}, cosine {inward}");
                 // times the radius of the circle through the particle
                 curvatures.push(particle.curvature * particle.position.length());
             }
@@ -80,6 +80,6 @@ fn of_a_disc() {
 #[test]
 fn and_none_where_nobody_asks() {
     let silent = Formulation { surface_tension: SurfaceTension::Attraction, ..model(SurfaceTension::Off) };
-    let found = |p: &Particle| p.at_surface || p.curvature != 0.0 || p.normal.length() > 0.0;
+    let found = |p: &Particle| p.is_at_surface || p.curvature != 0.0 || p.normal.length() > 0.0;
     assert!(!disc(silent, true).iter().any(found));
 }

@@ -1,4 +1,4 @@
-//! The GPU's public face: a fluid on the device, stepped without reading anything back.
+//! The solver on a GPU: steps a fluid on the device without reading its particles back.
 use crate::bindings::is_on_device;
 use crate::buffers::{Buffers, read};
 use crate::device::Gpu;
@@ -18,13 +18,15 @@ use millpond_core::glam::Vec3;
 use millpond_core::scene::Wind;
 use millpond_core::{AirReport, Array, CorrectionReport, Pass, SceneError, Solver, TimeReport};
 
-/// Steps that are recorded before the status is read: a failed step is found at most this late, and costs nothing more.
+/// Number of steps that are recorded before the status is read. A failed step is detected at most this many steps late.
+/// The device skips the steps recorded after it.
 pub const STEPS_PER_STATUS: u32 = 64;
 
-/// Steps that are handed to the device at once.
+/// Number of steps that are submitted to the device at once.
 const STEPS_PER_SUBMISSION: usize = 8;
 
-/// A fluid on a device.
+/// A fluid on a GPU. Create it from a CPU solver, step it with [`GpuSolver::step`] or [`GpuSolver::advance`], and read
+/// it back with [`GpuSolver::read`], or share its buffers with a renderer.
 #[derive(Debug)]
 pub struct GpuSolver {
     pub(crate) gpu: Gpu,
@@ -36,51 +38,52 @@ pub struct GpuSolver {
     fingerprint: u64,
     first_step: u64,
     pub(crate) pace: Pace,
-    /// Up to when [`GpuSolver::advance`] was asked for steps, s.
+    /// Time up to which [`GpuSolver::advance`] was asked to advance the fluid, s.
     pub(crate) due: f64,
-    /// Steps that count.
+    /// Number of accepted steps.
     steps: u64,
-    /// Steps that were recorded, those that do not count too.
+    /// Number of steps recorded, including rejected attempts.
     attempts: u64,
 }
 
-/// A state that was read back, array by array, in the slots of the device.
+/// A state that was read back: its arrays, in the slots of the device.
 #[derive(Clone, Debug)]
 pub struct Readback {
     arrays: Vec<Vec<u32>>,
 }
 
 impl Readback {
-    /// An array of the state as words of four bytes; empty where the scene does without.
+    /// An array of the state as words of four bytes; empty for an array that the scene does not need, or that is not
+    /// part of the state.
     #[must_use]
     pub fn words(&self, array: Array) -> &[u32] {
         &self.arrays[array as usize]
     }
 
-    /// The same of an array of vectors.
+    /// An array of vectors.
     fn vectors(&self, array: Array) -> &[f32x4] {
         bytemuck::cast_slice(self.words(array))
     }
 
-    /// Position, m.
+    /// Positions, m; the fourth number is the mass over the mass of a particle of the same fluid at rest.
     #[must_use]
     pub fn position(&self) -> &[f32x4] {
         self.vectors(Array::position)
     }
 
-    /// Velocity, m/s.
+    /// Velocities, m/s; the fourth number is the material.
     #[must_use]
     pub fn velocity(&self) -> &[f32x4] {
         self.vectors(Array::velocity)
     }
 
-    /// Slot of each particle, by id.
+    /// Slot of each particle in these arrays, by id.
     #[must_use]
     pub fn slots(&self) -> &[u32] {
         self.words(Array::slot_of_id)
     }
 
-    /// The state hash, as core computes it.
+    /// Hash of all positions and velocities. It equals that of [`Solver::hash`] if all bits are equal.
     #[must_use]
     pub fn hash(&self) -> u64 {
         state_hash(self.slots(), self.position(), self.velocity())
@@ -88,16 +91,19 @@ impl Readback {
 }
 
 impl GpuSolver {
-    /// The fluid of a CPU solver, from its current state on, by the same plan.
+    /// Creates a solver that continues from the current state of a CPU solver, with the same plan.
     ///
     /// # Errors
-    /// A scene too large for the device, a shader refused, or a choice that only the CPU has.
+    /// [`GpuError::TooLarge`] or [`GpuError::TooManyBuffers`] if the scene is too large for the device,
+    /// [`GpuError::TooManySteps`] if the CPU solver has made more steps than a device can count, [`GpuError::CpuOnly`]
+    /// if the scene makes a choice that only the CPU supports, and [`GpuError::Shader`] or [`GpuError::Device`] if a
+    /// program is rejected or the device fails.
     pub fn new(gpu: &Gpu, solver: &Solver<'_>) -> Result<GpuSolver, GpuError> {
         let parameters = solver.parameters();
         let plan = solver.plan();
         countable(solver.steps())?;
         if plan.model.is_half_stencil == 1 {
-            let why = "on a device two particles would add to a third at once; set it to FullStencil";
+            let why = "on a GPU two particles could add to the same third one at once; use FullStencil";
             return Err(GpuError::CpuOnly { choice: "grid.traversal HalfStencil", why });
         }
         let (buffers, dispatches) = gpu.with_error_scopes(|| {
@@ -121,11 +127,13 @@ impl GpuSolver {
         })
     }
 
-    /// Makes `count` time steps; reads back nothing but the status, and that every [`STEPS_PER_STATUS`] steps.
+    /// Makes `count` time steps. Only the status is read back, every [`STEPS_PER_STATUS`] steps.
     ///
     /// # Errors
-    /// A step that could not be made; the fluid then is as it was before that step, and no further step is made: start
-    /// again from [`GpuSolver::read`] with another scene.
+    /// [`GpuError::Step`] if a step cannot be made. The fluid is then as it was before that step, and this solver makes
+    /// no further steps: to continue, read the state with [`GpuSolver::read`] and start from it with a changed scene.
+    /// [`GpuError::TooManySteps`] if a device cannot count that many steps, and [`GpuError::Device`] if the device
+    /// fails.
     pub fn step(&mut self, count: u32) -> Result<(), GpuError> {
         let until = self.steps + u64::from(count);
         countable(until)?;
@@ -135,11 +143,12 @@ impl GpuSolver {
         Ok(())
     }
 
-    /// Makes one time step and says how long each pass took on the device, in the order of the step, in milliseconds; a pass
-    /// that runs more than once stands there as often.
+    /// Makes one time step and returns the time of each pass on the device, ms, in the order of the step. A pass that
+    /// runs several times is listed several times.
     ///
     /// # Errors
-    /// As for [`GpuSolver::step`]; also a device that cannot time its passes, or has no room for the times of so many.
+    /// Those of [`GpuSolver::step`]; also [`GpuError::NoPassTimes`] if the device cannot time its passes, and
+    /// [`GpuError::TooManyPasses`] if a step has more passes than can be timed.
     pub fn step_timed(&mut self) -> Result<Vec<(Pass, f64)>, GpuError> {
         let until = self.steps + 1;
         countable(until)?;
@@ -151,10 +160,10 @@ impl GpuSolver {
         Ok(self.dispatches.iter().map(Dispatch::pass).zip(times).collect())
     }
 
-    /// Records so many attempts at a step, and reads what became of them.
+    /// Records `count` attempts at a step, submits them, and reads the status.
     fn attempt(&mut self, count: u64, clock: Option<&PassClock>) -> Result<(), GpuError> {
         let attempts: Vec<u64> = (self.attempts..self.attempts + count).collect();
-        // the device works on some while the next ones are being recorded
+        // the device executes a submission while the next one is being recorded
         for some in attempts.chunks(STEPS_PER_SUBMISSION) {
             let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
             for attempt in some {
@@ -176,12 +185,12 @@ impl GpuSolver {
         Ok(())
     }
 
-    /// Records an attempt at a step from state `old`. After one that is to be made again the next finds the states the other way
-    /// round, and sits out.
+    /// Records an attempt at a step that reads state `old`. After a rejected attempt the two states have the wrong
+    /// roles for the next attempt, so the device skips that one.
     fn record(&self, encoder: &mut wgpu::CommandEncoder, old: usize, clock: Option<&PassClock>) {
         let Buffers { head, step, .. } = &self.buffers;
         encoder.clear_buffer(head, size_of::<Status>() as u64, None);
-        // the clock's numbers go into the step's without the host ever seeing them
+        // the time step and the number of the step are copied on the device, so that the host need not read them
         let mut copy = |from: usize, to: usize, words: usize| {
             let bytes = (words * size_of::<u32>()) as u64;
             encoder.copy_buffer_to_buffer(head, from as u64, step, to as u64, Some(bytes));
@@ -193,35 +202,37 @@ impl GpuSolver {
         record(&self.dispatches, encoder, old, clock);
     }
 
-    /// Which state is the fluid: they trade places at each step that counts.
+    /// Index of the state that is the fluid. The two states swap roles with each accepted step.
     fn current(&self) -> usize {
         (self.steps - self.first_step) as usize % 2
     }
 
-    /// The positions on the device, `[f32; 4]` each with w unused, sorted by cell: for a renderer that shares it
-    /// ([`Gpu::with_device`]). Another buffer after each step that counts, one of two.
+    /// Buffer of the positions, for a renderer that shares the device ([`Gpu::with_device`]): `[f32; 4]` each, m,
+    /// sorted by cell; ignore w. The positions alternate between two buffers with each accepted step, so get the buffer
+    /// again after stepping.
     #[must_use]
     pub fn position_buffer(&self) -> &wgpu::Buffer {
         self.buffers.array(Array::position, Side::Old, self.current())
     }
 
-    /// The velocities, likewise.
+    /// Buffer of the velocities, m/s, in the form of [`GpuSolver::position_buffer`].
     #[must_use]
     pub fn velocity_buffer(&self) -> &wgpu::Buffer {
         self.buffers.array(Array::velocity, Side::Old, self.current())
     }
 
-    /// The host's field from now on, as [`Solver::set_field`] takes it.
+    /// Sets the acceleration field supplied by the caller, from the next step on, as [`Solver::set_field`] does.
     ///
     /// # Errors
-    /// Fewer or more nodes than the scene says, or a value that is not finite; a call before the fluid's first step. The field then stays as it was.
+    /// [`SceneError::WrongLength`] if the scene has fewer or more nodes, [`SceneError::NotFinite`] for a value that is
+    /// not finite, and [`GpuError::BeforeFirstStep`] before the first step of the fluid. The field stays as it was.
     pub fn set_field(&mut self, points: &[f32x4]) -> Result<(), GpuError> {
         let (given, expected) = (points.len(), self.buffers.counts().field_nodes);
         if given != expected {
             return Err(SceneError::WrongLength { call: "set_field", what: "points", given, expected }.into());
         }
         if let Some(&value) = points.as_flattened().iter().find(|x| !x.is_finite()) {
-            return Err(SceneError::NotFinite { field: "field", value }.into());
+            return Err(SceneError::NotFinite { field: "acceleration_field", value }.into());
         }
         if expected > 0 {
             self.has_begun("set_field")?;
@@ -231,68 +242,71 @@ impl GpuSolver {
         Ok(())
     }
 
-    /// Another acceleration of gravity from now on, as [`Solver::set_gravity`] takes it.
+    /// Sets the acceleration of gravity, m/s2, from the next step on, as [`Solver::set_gravity`] does.
     ///
     /// # Errors
-    /// As there; also before the fluid's first step, when the CPU solver is the one to be told.
+    /// Those of [`Solver::set_gravity`]; also [`GpuError::BeforeFirstStep`] before the first step of the fluid: make
+    /// the change on the CPU solver instead. The fluid stays as it was.
     pub fn set_gravity(&mut self, gravity: impl Into<Vec3>) -> Result<(), GpuError> {
         self.change("set_gravity", Change::Gravity(gravity.into()))
     }
 
-    /// Another wind from now on, as [`Solver::set_wind`] takes it.
+    /// Sets the wind from the next step on, as [`Solver::set_wind`] does.
     ///
     /// # Errors
-    /// As for [`GpuSolver::set_gravity`].
+    /// Those of [`Solver::set_wind`] and [`GpuSolver::set_gravity`].
     pub fn set_wind(&mut self, wind: Option<Wind>) -> Result<(), GpuError> {
         self.change("set_wind", Change::Wind(wind))
     }
 
-    /// Another time step from now on, s, as [`Solver::set_time_step`] takes it.
+    /// Sets the time step, s, from the next step on, as [`Solver::set_time_step`] does.
     ///
     /// # Errors
-    /// As for [`GpuSolver::set_gravity`].
+    /// Those of [`Solver::set_time_step`] and [`GpuSolver::set_gravity`].
     pub fn set_time_step(&mut self, time_step: f32) -> Result<(), GpuError> {
         self.change("set_time_step", Change::TimeStep(time_step))
     }
 
-    /// Another dynamic viscosity of a fluid from now on, Pa s, as [`Solver::set_viscosity`] takes it.
+    /// Sets the dynamic viscosity, Pa s, of a fluid from the next step on, as [`Solver::set_viscosity`] does.
     ///
     /// # Errors
-    /// As for [`GpuSolver::set_gravity`].
+    /// Those of [`Solver::set_viscosity`] and [`GpuSolver::set_gravity`].
     pub fn set_viscosity(&mut self, fluid: u32, viscosity: f32) -> Result<(), GpuError> {
         self.change("set_viscosity", Change::Viscosity(fluid, viscosity))
     }
 
-    /// Another surface tension of a fluid from now on, as [`Solver::set_surface_tension`] takes it.
+    /// Sets the coefficient of surface tension of a fluid from the next step on, as [`Solver::set_surface_tension`]
+    /// does.
     ///
     /// # Errors
-    /// As for [`GpuSolver::set_gravity`].
+    /// Those of [`Solver::set_surface_tension`] and [`GpuSolver::set_gravity`].
     pub fn set_surface_tension(&mut self, fluid: u32, tension: f32) -> Result<(), GpuError> {
         self.change("set_surface_tension", Change::SurfaceTension(fluid, tension))
     }
 
-    /// Another speed of sound of a fluid from now on, m/s, as [`Solver::set_speed_of_sound`] takes it.
+    /// Sets the speed of sound, m/s, of a fluid from the next step on, as [`Solver::set_speed_of_sound`] does.
     ///
     /// # Errors
-    /// As for [`GpuSolver::set_gravity`].
+    /// Those of [`Solver::set_speed_of_sound`] and [`GpuSolver::set_gravity`].
     pub fn set_speed_of_sound(&mut self, fluid: u32, speed: f32) -> Result<(), GpuError> {
         self.change("set_speed_of_sound", Change::SpeedOfSound(fluid, speed))
     }
 
-    /// Another constant of Tait's equation of a fluid from now on, Pa, as [`Solver::set_stiffness`] takes it.
+    /// Sets the constant B of Tait's equation, Pa, of a fluid from the next step on, as [`Solver::set_stiffness`] does.
     ///
     /// # Errors
-    /// As for [`GpuSolver::set_gravity`].
+    /// Those of [`Solver::set_stiffness`] and [`GpuSolver::set_gravity`].
     pub fn set_stiffness(&mut self, fluid: u32, stiffness: f32) -> Result<(), GpuError> {
         self.change("set_stiffness", Change::Stiffness(fluid, stiffness))
     }
 
-    /// Does its time step follow from the state?
+    /// Returns whether the length of time steps may change.
     pub(crate) fn is_adaptive(&self) -> bool {
         self.buffers.model().is_adaptive == 1
     }
 
-    /// The first step begins with accelerations that the CPU evaluated, so that a change before it is the CPU's to make.
+    /// Rejects a call before the first step. That step begins with accelerations that the CPU evaluated, so the change
+    /// must be made on the CPU solver.
     fn has_begun(&self, call: &'static str) -> Result<(), GpuError> {
         if self.steps == 0 { Err(GpuError::BeforeFirstStep { call }) } else { Ok(()) }
     }
@@ -315,14 +329,14 @@ impl GpuSolver {
         let queue = &self.gpu.queue;
         queue.write_buffer(parameters, 0, bytemuck::bytes_of(&next.parameters));
         queue.write_buffer(materials, 0, bytemuck::bytes_of(&next.materials));
-        // the device's clock writes the time step itself, where it follows from the state
+        // with steps of changing length, the device itself writes the time step
         let bytes = bytemuck::bytes_of(&uniform);
         let fixed = if self.is_adaptive() { offset_of!(StepUniform, time_step) } else { size_of::<StepUniform>() };
         queue.write_buffer(step, 0, &bytes[..fixed]);
         Ok(())
     }
 
-    /// What an integrator remembers of the last step, for one that is so many times as long.
+    /// Rescales the history of the integrator for a time step that is `times` as long as the last one.
     fn rescale_history(&self, times: f32) -> Result<(), GpuError> {
         let words = self.buffers.words(Array::history);
         if words == 0 {
@@ -338,10 +352,10 @@ impl GpuSolver {
         Ok(())
     }
 
-    /// What the pressure correction came to; all zero with an equation of state.
+    /// Result of the pressure correction; all zero with an equation of state. It waits for the device.
     ///
     /// # Errors
-    /// The device failed.
+    /// [`GpuError::Device`] if the device fails.
     pub fn correction(&self) -> Result<CorrectionReport, GpuError> {
         let status = self.status()?;
         Ok(CorrectionReport {
@@ -351,10 +365,10 @@ impl GpuSolver {
         })
     }
 
-    /// What became of the time step, as [`Solver::time_report`] says it.
+    /// Report on the time step, as [`Solver::time_report`] returns it. It waits for the device.
     ///
     /// # Errors
-    /// The device failed.
+    /// [`GpuError::Device`] if the device fails.
     pub fn time_report(&self) -> Result<TimeReport, GpuError> {
         let report = TimeReport::of(&self.status()?);
         Ok(if self.is_adaptive() {
@@ -364,7 +378,7 @@ impl GpuSolver {
         })
     }
 
-    /// What the clock shows where all steps are alike, without asking the device.
+    /// Returns the report on a fixed time step, without reading from the device.
     pub(crate) fn steady_report(&self) -> TimeReport {
         let step = self.uniform.time_step;
         TimeReport {
@@ -376,28 +390,29 @@ impl GpuSolver {
         }
     }
 
-    /// What became of the coat of air, as [`Solver::air`] says it; all zero where a scene has none.
+    /// State of the layer of air, as [`Solver::air`] returns it; all zero in scenes without air. It waits for the
+    /// device.
     ///
     /// # Errors
-    /// The device failed.
+    /// [`GpuError::Device`] if the device fails.
     pub fn air(&self) -> Result<AirReport, GpuError> {
         let status = self.status()?;
         Ok(AirReport { alive: status.air_alive, refused: u64::from(status.air_refused) })
     }
 
-    /// What the device has to say for itself.
+    /// Reads the status that the last step wrote. It waits for the device.
     ///
     /// # Errors
-    /// The device failed.
+    /// [`GpuError::Device`] if the device fails.
     pub fn status(&self) -> Result<Status, GpuError> {
         let status: Vec<Status> = read(&self.gpu, &self.buffers.head, 1)?;
         status.first().copied().ok_or_else(inconsistent_status)
     }
 
-    /// Reads the fluid back.
+    /// Reads all arrays of the current state back. It waits for the device.
     ///
     /// # Errors
-    /// The device failed.
+    /// [`GpuError::Device`] if the device fails.
     pub fn read(&self) -> Result<Readback, GpuError> {
         let model = self.buffers.model();
         let is_read = |array: Array| matches!(array.class(), Class::State | Class::Index) && array.exists(model);
@@ -411,16 +426,16 @@ impl GpuSolver {
         Ok(Readback { arrays: Array::ALL.iter().map(words).collect::<Result<Vec<_>, _>>()? })
     }
 
-    /// The fluid as bytes that a CPU solver of the same scene goes on from ([`Solver::restore`]), and from it another device: the same
-    /// bytes as if the CPU had made the steps.
+    /// Writes the fluid as bytes, from which a CPU solver of the same scene can continue ([`Solver::restore`]), and
+    /// from that solver a GPU. In strict mode they are the bytes that the CPU would have saved after the same steps.
     ///
     /// # Errors
-    /// The device failed.
+    /// [`GpuError::Device`] if the device fails.
     pub fn save(&self) -> Result<Vec<u8>, GpuError> {
         let state = self.read()?;
         let status = self.status()?;
         let time_step = if self.is_adaptive() { status.time_step } else { self.uniform.time_step };
-        let record = Record::of_status(&status, self.steady, time_step, &self.live);
+        let record = Record::of_status(&status, self.steady, self.due, time_step, &self.live);
         let mut given = Vec::new();
         for array in Array::ALL.iter().copied().filter(|array| array.class() == Class::Given && is_on_device(*array)) {
             let there = array.exists(self.buffers.model());
@@ -440,27 +455,27 @@ impl GpuSolver {
         Ok(bytes)
     }
 
-    /// Steps that count.
+    /// Number of accepted steps, including those of the CPU solver from which it was created.
     #[must_use]
     pub fn steps(&self) -> u64 {
         self.steps
     }
 }
 
-// the clock's three numbers stand side by side in both structs, so that one copy moves them
+// in both structs the three numbers of the time step are adjacent, so that one copy moves them
 const _: () = assert!(offset_of!(Status, half_time_step) == offset_of!(Status, time_step) + 4);
 const _: () = assert!(offset_of!(Status, inverse_time_step) == offset_of!(Status, time_step) + 8);
 const _: () = assert!(offset_of!(StepUniform, half_time_step) == offset_of!(StepUniform, time_step) + 4);
 const _: () = assert!(offset_of!(StepUniform, inverse_time_step) == offset_of!(StepUniform, time_step) + 8);
 
-/// Steps that a device can count.
+/// Largest number of steps that a device can count.
 const MOST_STEPS: u64 = u32::MAX as u64;
 
 fn countable(steps: u64) -> Result<(), GpuError> {
     if steps > MOST_STEPS { Err(GpuError::TooManySteps { steps, most: MOST_STEPS }) } else { Ok(()) }
 }
 
-/// A status that contradicts itself.
+/// Returns the error of a status that contradicts itself.
 fn inconsistent_status() -> GpuError {
-    GpuError::Device("the status says that a step failed, and not why".into())
+    GpuError::Device("the status reports a failed step without a reason".into())
 }

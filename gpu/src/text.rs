@@ -78,7 +78,8 @@ mod tests {
 
     #[test]
     fn rust_becomes_wgsl() {
-        let rust = "/// Doc.\n#[inline(always)]\npub fn f<R: Real>(m: &Model, p: &Parameters, a: Local<R>) -> R { // why\n    \
+        let rust = "/// Doc.\n#[inline(always)]\n\
+                    pub fn f<R: Real>(m: &Model, p: &Parameters, a: Local<R>) -> R { // why\n    \
                     return g(m, p, t, a) * 1.5e-3 + h(p, a.q2) * 2.0;\n}\n";
         let wgsl = "fn f(a: Local) -> R {\n    return g(a) * 1.5e-3f + h(a.q2) * 2.0f;\n}\n";
         assert_eq!(wgsl_of(rust), wgsl);

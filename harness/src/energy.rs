@@ -59,7 +59,7 @@ pub(crate) fn total(scene: &Checked<'_>, solver: &Solver<'_>) -> f64 {
 pub(crate) fn scale(scene: &Checked<'_>, solver: &Solver<'_>) -> f64 {
     let gravity = scene.gravity.to_array().map(f64::from);
     let heights = || {
-        let fluid = solver.particles().filter(|particle| !particle.wall && !particle.inactive);
+        let fluid = solver.particles().filter(|particle| !particle.is_wall && !particle.is_inactive);
         fluid.map(|p| -> f64 { p.position.to_array().iter().zip(gravity).map(|(x, g)| -g * f64::from(*x)).sum() })
     };
     let (low, high) = (heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max));
@@ -73,7 +73,8 @@ pub(crate) fn scale(scene: &Checked<'_>, solver: &Solver<'_>) -> f64 {
 
 /// Returns the sum of mass times `energy` (J/kg) over the particles of the fluid.
 fn sum(scene: &Checked<'_>, solver: &Solver<'_>, energy: impl Fn(&Fluid, &FluidConstants, &Particle) -> f64) -> f64 {
-    let fluid: Vec<Particle> = solver.particles().filter(|particle| !particle.wall && !particle.inactive).collect();
+    let fluid: Vec<Particle> =
+        solver.particles().filter(|particle| !particle.is_wall && !particle.is_inactive).collect();
     let volume = scene.derived().particle_mass / f64::from(scene.fluids[0].rest_density);
     let (slots, state) = (solver.slots(), solver.state());
     let of = |i: usize| {

@@ -141,7 +141,8 @@ pub fn run(
             largest: f64::from(lengths.iter().copied().fold(clock.time_step, f32::max)),
             last: f64::from(clock.time_step),
             rejected_steps: clock.rejected_steps,
-            held: clock.held,
+            clamped_steps: clock.clamped_steps,
+            shortened_steps: clock.shortened_steps,
         },
         courant: last_summary.courant.into(),
         density_error: last_summary.density_error.into(),
@@ -168,8 +169,8 @@ pub fn run(
 
 /// Returns a warning if steps had the smallest allowed length and should have been shorter.
 fn held(clock: &TimeReport) -> Option<String> {
-    (clock.held > 0).then(|| {
-        let (held, wanted) = (clock.held, clock.wanted);
+    (clock.clamped_steps > 0).then(|| {
+        let (held, wanted) = (clock.clamped_steps, clock.wanted);
         format!("{held} steps should have been shorter than adaptive.smallest (the last limit was {wanted:.1e} s)")
     })
 }

@@ -4,7 +4,7 @@ use super::scenes::{pulled, second_fluid, walls};
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     AdaptiveTimeStep, Air, DensityForm, Formulation, Integrator, Periodic, Plasticity, PressureForce, PressureSolver,
-    SupportRange, SurfaceTension, Viscosity,
+    Recovery, SupportRange, SurfaceTension, Viscosity,
 };
 
 pub fn time(add: Add<'_>) {
@@ -51,6 +51,9 @@ pub fn time(add: Add<'_>) {
         s.model.pressure_solver = PressureSolver::PressureCorrection;
         s.model.pressure_force = PressureForce::MonaghanAdapted;
         s.adaptive = Some(AdaptiveTimeStep { reject_ratio: Some(1.0), ..AdaptiveTimeStep::default() });
+    });
+    add("steps that are shortened where they cannot be made".into(), &|s| {
+        s.recovery = Recovery::ShortenStep { times: 3 };
     });
     add("adaptive, held at its shortest step".into(), &|s| {
         s.adaptive =

@@ -13,6 +13,8 @@ const DEFAULT_NEAR_SHARE: f64 = 0.1;
 pub struct FluidConstants {
     /// Equation of state: the fluid's own, or that of the model.
     pub equation_of_state: EquationOfState,
+    /// Density at rest, kg/m3.
+    pub rest_density: f64,
     /// Speed of sound at rest, m/s.
     pub speed_of_sound: f64,
     /// `rho0 c0^2`, Pa.
@@ -33,6 +35,7 @@ impl FluidConstants {
         let mass = particle_mass * f64::from(fluid.rest_density) / f64::from(scene.first_fluid().rest_density);
         FluidConstants {
             equation_of_state,
+            rest_density: f64::from(fluid.rest_density),
             speed_of_sound: c0,
             bulk_modulus,
             state_stiffness: match equation_of_state {
@@ -45,6 +48,22 @@ impl FluidConstants {
                 fluid.near_stiffness.map_or(DEFAULT_NEAR_SHARE * c0 * c0, f64::from)
             },
             spring_pull: f64::from(fluid.elastic_stiffness) / (2.0 * mass),
+        }
+    }
+
+    /// Returns the density at a pressure in Pa, kg/m3, by the equation of state.
+    #[must_use]
+    pub fn density_at(&self, pressure: f64) -> f64 {
+        self.rest_density * (1.0 + self.deviation_at(pressure))
+    }
+
+    /// Returns the relative deviation of density from the rest density at a pressure in Pa.
+    pub(super) fn deviation_at(&self, pressure: f64) -> f64 {
+        match self.equation_of_state {
+            EquationOfState::Tait => libm::pow(1.0 + pressure / self.state_stiffness, 1.0 / 7.0) - 1.0,
+            EquationOfState::Linear => pressure / self.state_stiffness,
+            // P = c0^2 rho
+            EquationOfState::IdealGas => pressure / self.state_stiffness - 1.0,
         }
     }
 

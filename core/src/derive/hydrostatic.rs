@@ -1,6 +1,6 @@
 //! Density and pressure of a fluid at rest under its own weight.
 use super::fluid::FluidConstants;
-use crate::scene::{Block, EquationOfState, PressureForce, Scene};
+use crate::scene::{Block, PressureForce, Scene};
 
 /// Returns the relative deviation of density from the rest density, and the pressure in Pa, that support the weight of
 /// the fluid above (Roy, section 3.1, corrected): `rho = rho0 (1 + rho0 g depth / B)^(1/7)` with Tait's equation.
@@ -30,9 +30,5 @@ pub(super) fn hydrostatic_deviation(scene: &Scene, fluid: u32, own: &FluidConsta
     if matches!(scene.model.pressure_force, PressureForce::Mueller | PressureForce::MuellerAdapted) {
         pressure *= 2.0;
     }
-    let deviation = match own.equation_of_state {
-        EquationOfState::Tait => libm::pow(1.0 + pressure / own.state_stiffness, 1.0 / 7.0) - 1.0,
-        _ => pressure / own.state_stiffness,
-    };
-    (deviation, pressure as f32)
+    (own.deviation_at(pressure), pressure as f32)
 }

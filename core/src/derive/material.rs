@@ -15,7 +15,7 @@ pub(crate) const INACTIVE: u32 = MATERIALS as u32 - 1;
 
 /// Value that inactive air particles have where wall particles have a 1. Particles with any value above 0 are held, and
 /// this value distinguishes inactive air from walls.
-pub(crate) const NOT_THERE: f32 = 2.0;
+pub(crate) const INACTIVE_ROLE: f32 = 2.0;
 
 const _: () = assert!((FIRST_WALL as usize) + WALLS <= INACTIVE as usize, "room for every material");
 

@@ -2,7 +2,7 @@
 use super::fluid::FluidConstants;
 use super::kernel_constants::{near_slope_constant, power};
 use super::lattice_sums::gradient_squares;
-use super::material::{FIRST_BLOCK, FIRST_WALL, INACTIVE, NOT_THERE};
+use super::material::{FIRST_BLOCK, FIRST_WALL, INACTIVE, INACTIVE_ROLE};
 use crate::layout::{MATERIALS, MaterialRows, Materials, f32x4};
 use crate::scene::{DensityForm, Fluid, Iteration, NearPressure, Scene};
 
@@ -52,7 +52,7 @@ fn properties(scene: &Scene, fluids: &[FluidConstants]) -> MaterialRows {
         *material = [wall.dynamic_viscosity.unwrap_or(VISCOSITY_OF_PARTICLE), 1.0, material[2], wall.fluid as f32];
     }
     // inactive air particles are held, so nothing acts on them
-    rows[INACTIVE as usize][1] = NOT_THERE;
+    rows[INACTIVE as usize][1] = INACTIVE_ROLE;
     rows
 }
 

@@ -19,7 +19,7 @@ mod materials;
 mod parameters;
 pub(crate) mod sampling;
 pub(crate) mod scales;
-mod step_limits;
+pub(crate) mod step_limits;
 
 pub use derived::Derived;
 pub use fluid::FluidConstants;

@@ -50,7 +50,7 @@ pub(super) fn parameters(
     let container = scene.container.as_ref();
     let field = scene.acceleration_field.map_or([0.0; 4], |f| [f.low[0], f.low[1], f.low[2], 1.0 / f.spacing]);
     let (planes, plane_count) = planes(scene);
-    let adaptive = scene.adaptive.unwrap_or_default();
+    let adaptive = scene.changing_step().unwrap_or_default();
     let limits = StepLimits::of(scene, &adaptive, scales, kinematic_viscosity);
     let Axes { cells, inverse_cell, domain_low, period, half_period, inverse_period } = Axes::of(scene, scales, cells);
     Parameters {
@@ -93,7 +93,7 @@ pub(super) fn parameters(
         tolerance: model.correction.tolerance,
         alpha: model.alpha,
         beta: model.beta,
-        dotted_factor: 2.0 * (d as f32 + 2.0),
+        monaghan_gingold_factor: 2.0 * (d as f32 + 2.0),
         velocity_exchange: if exchanged { model.velocity_exchange } else { 0.0 },
         radial_exchange: model.radial_exchange,
         xsph_constant: (f64::from(model.xsph) * rest_volume * density_constant) as f32,
@@ -104,17 +104,18 @@ pub(super) fn parameters(
         spacing: scene.particle_spacing,
         air_threshold: air.map_or(0.0, |air| (f64::from(air.threshold) / support) as f32),
         air_minimum: air.map_or(0.0, |air| air.minimum_density),
-        air_heat: air.map_or(0.0, |air| scene.fluid_of(air.fluid).internal_energy),
+        air_internal_energy: air.map_or(0.0, |air| scene.fluid_of(air.fluid).internal_energy),
         air_fluid: air.map_or(0.0, |air| air.fluid as f32),
         first_air: counts.all().saturating_sub(counts.air) as u32,
         speed_limit_length: limits.speed,
-        acceleration_reach: limits.acceleration,
+        acceleration_limit_length: limits.acceleration,
         sound_limit_length: limits.sound,
         viscous_time_step: limits.viscosity,
         smallest_time_step: adaptive.smallest,
         largest_time_step: adaptive.largest,
         max_time_step_growth: adaptive.max_growth,
         reject_ratio: adaptive.reject_ratio.unwrap_or(0.0),
+        most_shortenings: scene.recovery.times(),
     }
 }
 

@@ -36,8 +36,19 @@ impl Scales {
 /// (Pirovano, section 3.3).
 #[must_use]
 pub fn average_neighbours(scene: &Scene) -> f32 {
-    let own = scene.fluids.iter().map(|fluid| fluid.average_neighbours.unwrap_or(scene.average_neighbours));
+    let of_scene =
+        scene.smoothing_ratio.map_or(scene.average_neighbours, |ratio| neighbours_within(scene.dimension, ratio));
+    let own = scene.fluids.iter().map(|fluid| fluid.average_neighbours.unwrap_or(of_scene));
     own.fold(f32::INFINITY, f32::min)
+}
+
+/// Average number of particles inside a support radius of `2 h`, where `ratio` is h over the particle spacing.
+fn neighbours_within(dimension: Dimension, ratio: f32) -> f32 {
+    let spacings = 2.0 * f64::from(ratio);
+    (match dimension {
+        Dimension::Two => PI * spacings * spacings,
+        Dimension::Three => 4.0 / 3.0 * PI * spacings * spacings * spacings,
+    }) as f32
 }
 
 /// Support radius, m: the radius that holds `average_neighbours` particles at the initial spacing,

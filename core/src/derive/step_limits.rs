@@ -1,4 +1,5 @@
 //! The criteria that limit a time step.
+use super::derived::Derived;
 use super::fluid::FluidConstants;
 use super::scales::Scales;
 use crate::scene::{AdaptiveTimeStep, Block, Fluid, Scene, Viscosity};
@@ -28,6 +29,18 @@ pub(super) fn kinematic_viscosity(scene: &Scene, scales: &Scales, fluids: &[Flui
             largest(&mut pairs.chain(walls.map(|viscosity| f64::from(viscosity) / lightest)))
         }
     }
+}
+
+/// Returns the step that the default criteria allow a fluid at rest, s.
+pub(crate) fn recommended_step(scene: &Scene, derived: &Derived) -> f32 {
+    let limits = StepLimits::of(scene, &AdaptiveTimeStep::default(), &Scales::of(scene), derived.kinematic_viscosity);
+    let sound = derived.fluids.iter().map(|fluid| fluid.speed_of_sound).fold(0.0, f64::max) as f32;
+    let by_sound = limits.sound / sound;
+    let by_gravity = match scene.gravity.length() {
+        0.0 => f32::INFINITY,
+        gravity => libm::sqrtf(limits.acceleration / gravity),
+    };
+    by_sound.min(by_gravity).min(limits.viscosity)
 }
 
 /// The constants of the criteria that limit a time step.

@@ -16,7 +16,8 @@ pub enum StepError {
         /// Number of the step, counted from 1.
         step: u64,
     },
-    /// A cell holds more particles than it has places, with [`GridStructure::CellLists`](crate::scene::GridStructure::CellLists).
+    /// A cell holds more particles than it has places, with
+    /// [`GridStructure::CellLists`](crate::scene::GridStructure::CellLists).
     CellFull {
         /// Index of the cell.
         cell: u32,
@@ -27,15 +28,16 @@ pub enum StepError {
         /// Number of the step, counted from 1.
         step: u64,
     },
-    /// A step was rejected and made again with a shorter time step as often as that is allowed, and was always too long.
+    /// A step was rejected and made again with a shorter time step as often as that is allowed, and was always too
+    /// long.
     NoTimeStep {
         /// Number of attempts.
         attempts: u32,
         /// Number of the step, counted from 1.
         step: u64,
     },
-    /// [`Solver::advance`](crate::Solver::advance) or [`Solver::step_until`](crate::Solver::step_until) was given a time that is negative, has
-    /// passed already, or is not finite.
+    /// [`Solver::advance`](crate::Solver::advance) or [`Solver::step_until`](crate::Solver::step_until) was given a
+    /// time that is negative, has passed already, or is not finite.
     InvalidTime {
         /// The time that was given, s.
         seconds: f64,

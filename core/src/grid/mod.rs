@@ -71,7 +71,7 @@ pub fn cell_of(p: &Parameters, position: f32x4) -> Result<u32, u32> {
 
 /// Returns whether this is the cell of inactive air particles. It is the last cell, and no stencil includes it.
 #[inline(always)]
-pub(crate) fn is_limbo(m: &Model, p: &Parameters, cell: usize) -> bool {
+pub(crate) fn is_inactive_cell(m: &Model, p: &Parameters, cell: usize) -> bool {
     m.has_air == 1 && cell + 1 == p.cells[3] as usize
 }
 

@@ -89,7 +89,7 @@ shared! {
         /// Quadratic coefficient of the artificial viscosity.
         pub beta: f32,
         /// `2 (d + 2)`, the factor of the Monaghan-Gingold viscosity.
-        pub dotted_factor: f32,
+        pub monaghan_gingold_factor: f32,
         /// Share of a velocity difference that neighbours at distance zero exchange in a step.
         pub velocity_exchange: f32,
         /// Share of the approach velocity that neighbours at distance zero exchange in a step.
@@ -112,7 +112,7 @@ shared! {
         /// Share of its rest density below which an air particle is removed.
         pub air_minimum: f32,
         /// Internal energy of spawned air, J/kg.
-        pub air_heat: f32,
+        pub air_internal_energy: f32,
         /// Index of the fluid that the air is.
         pub air_fluid: f32,
         /// First id of the particles of the air layer, whose ids are the last.
@@ -120,7 +120,7 @@ shared! {
         /// `C H` of the criterion by speed: distance that the fastest particle may travel in a step, m.
         pub speed_limit_length: f32,
         /// `C^2 H` of the criterion by acceleration, m.
-        pub acceleration_reach: f32,
+        pub acceleration_limit_length: f32,
         /// `C H` of the criterion by the speed of sound: distance that sound may travel in a step, m.
         pub sound_limit_length: f32,
         /// Longest step that viscosity allows, `C H^2 / nu`, s.
@@ -134,6 +134,8 @@ shared! {
         /// A step is rejected and repeated if it was longer than this many times the step that the state at its end
         /// asks for; 0: never.
         pub reject_ratio: f32,
+        /// How many times a step that cannot be made is halved before it is refused.
+        pub most_shortenings: u32,
     }
 }
 

@@ -65,7 +65,11 @@ shared! {
         /// Rejected attempts in all accepted steps. Each was repeated with a shorter time step.
         pub rejected_steps: u32,
         /// Accepted steps that should have been shorter than the shortest time step allowed.
-        pub held: u32,
+        pub clamped_steps: u32,
+        /// Number of times that the current step was halved because it could not be made.
+        pub shortenings: u32,
+        /// Number of halvings of all accepted steps.
+        pub shortened_steps: u32,
         /// The next time step, s. This field and the next two are copied into the step's uniform before the step.
         pub time_step: f32,
         /// Half of the next time step, s.

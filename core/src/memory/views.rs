@@ -42,7 +42,7 @@ macro_rules! views {
 
         const _: () = assert!(
             0 $(+ size_of::<$sorting_type>())* <= LIST_WORDS * size_of::<u32>(),
-            "what sorts particles lies where their lists come to lie"
+            "the sort arrays lie in the memory of the neighbour lists"
         );
 
         impl<'s> Sorting<'s> {
@@ -122,7 +122,7 @@ pub struct Arrays<'m> {
     pub(crate) list_words: usize,
 }
 
-const _: () = assert!(matches!(SORTING[0], Array::source_slot), "`Scratch::source_slot` looks for it there");
+const _: () = assert!(matches!(SORTING[0], Array::source_slot), "`Scratch::source_slot` reads it there");
 
 impl Scratch<'_> {
     /// For each of the first `particles` slots after the step, the particle's slot before the step. Valid until

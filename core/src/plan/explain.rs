@@ -71,15 +71,17 @@ impl Plan {
                 add(&["tension_close"], true);
             }
             Pass::Springs => add(&["spring_pull"], true),
-            Pass::SpringLengths => add(&["spring_given_way"], true),
+            Pass::SpringLengths => add(&["plastic_rest_length"], true),
             Pass::PressureForce => {
                 add(choice.pressure_force.terms(), true);
                 add(slope, true);
             }
-            Pass::PressureCorrect => add(&["continuity_neighbour", "density_miss", "pressure_corrected"], true),
-            Pass::SpawnRequests => add(&["place_of_birth", "is_taken"], true),
-            Pass::Spawn => add(&["is_thin", "place_of_birth"], true),
-            Pass::InternalEnergy => add(&["heat_neighbour"], true),
+            Pass::PressureCorrect => {
+                add(&["continuity_neighbour", "predicted_density_error", "pressure_corrected"], true)
+            }
+            Pass::SpawnRequests => add(&["spawn_position", "is_taken"], true),
+            Pass::Spawn => add(&["is_thin", "spawn_position"], true),
+            Pass::InternalEnergy => add(&["internal_energy_neighbour"], true),
             Pass::PredictVelocity => add(&["velocity_after"], true),
             Pass::IntegrateAfter => {
                 add(&choice.integrator.terms()[choice.integrator.terms().len().min(1)..], true);

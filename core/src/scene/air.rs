@@ -4,7 +4,7 @@
 /// where they have lost contact with the liquid (Pirovano, section 3.4.2; where and when air is spawned is our
 /// choice).
 ///
-/// A layer of air mends the density of the outermost liquid particles, which is too low at a free surface. It needs
+/// A layer of air corrects the density of the outermost liquid particles, which is too low at a free surface. It needs
 /// [`GridStructure::IndexSort`](super::GridStructure::IndexSort), an integrator without a history
 /// ([`Integrator::allows_changing_steps`](super::Integrator::allows_changing_steps)) and a support radius of at least
 /// 1.75 particle spacings.

@@ -1,6 +1,7 @@
-//! What a scene asks for: the fluids, where they start, what holds and drives them, and which formulas move them.
+//! The scene: its fluids and where they start, the walls and forces that act on them, and the formulas of their motion.
 //!
-//! A scene is plain data in SI units. [`Scene::check`] says whether it can run; nothing else here is computed from it.
+//! A scene is plain data in SI units. [`Scene::check`] returns whether it can run; everything that is derived from a
+//! scene is computed elsewhere.
 mod air;
 mod choice;
 mod elasticity;
@@ -10,6 +11,7 @@ mod initial;
 mod list;
 mod live;
 mod model;
+mod recovery;
 mod surroundings;
 mod time;
 
@@ -23,6 +25,7 @@ pub use fluid::{Block, FLUIDS, Fluid};
 pub use initial::InitialParticle;
 pub use live::Adjustable;
 pub use model::{Correction, Formulation, SupportRange};
+pub use recovery::Recovery;
 pub use surroundings::{AccelerationField, Container, Grid, Periodic, WALLS, Wall, WallShape, Wind};
 pub use time::AdaptiveTimeStep;
 
@@ -30,99 +33,118 @@ use crate::error::SceneError;
 use glam::Vec3;
 use heapless::Vec;
 
-/// Blocks of fluid that a scene can have.
+/// Largest number of blocks in a scene.
 pub const BLOCKS: usize = 16;
 
-/// A fluid and all that decides how it moves.
+/// Description of a simulation: fluids, surroundings and formulas.
 ///
 /// Lists have a fixed capacity ([`heapless::Vec`], re-exported as [`millpond_core::heapless`](crate::heapless)).
-/// [`Scene::of`] fills in the defaults, so that only what differs needs to be written.
+/// [`Scene::of`] fills in the defaults, so you set only the fields that differ.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Scene {
-    /// Two or three dimensions. In 2D every z is 0 and masses are per metre of depth.
+    /// Dimension of space, two or three. In 2D every z is 0 and masses are per metre of depth.
     pub dimension: Dimension,
-    /// Distance between particles at the start, m. Smaller: finer, and at the same time step stiffer.
+    /// Distance between particles at the start, m, larger than 0. A smaller distance resolves more detail, and needs
+    /// more particles and a shorter time step.
     pub particle_spacing: f32,
-    /// Particles inside a support radius, itself counted (Pirovano, section 4.1.5; default 32). More: smoother and slower.
+    /// Number of particles inside the support radius, including the particle itself (Pirovano, section 4.1.5; default
+    /// 32). More neighbours make the motion smoother and the step slower.
     #[cfg_attr(feature = "serde", serde(default = "default_average_neighbours"))]
     pub average_neighbours: f32,
-    /// Time step, s; an adaptive one begins with it, or shorter. Too large against `spacing / speed_of_sound`, and the fluid
-    /// explodes.
+    /// Ratio of smoothing length to particle spacing, h/dx, as much of the literature gives it; the support radius is
+    /// twice the smoothing length. It replaces `average_neighbours`, and a scene that also changes `average_neighbours`
+    /// from its default is rejected (default `None`).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub smoothing_ratio: Option<f32>,
+    /// Time step, s, larger than 0. With an adaptive time step it is the upper bound of the first step. The fluid
+    /// becomes unstable if the time step is too large compared with `particle_spacing / speed_of_sound`.
     pub time_step: f32,
-    /// A time step that follows from the state (default: none, all steps are alike).
+    /// Adaptive time step, which follows from the state of the fluid (default `None`: all steps have the length
+    /// `time_step`).
     #[cfg_attr(feature = "serde", serde(default))]
     pub adaptive: Option<AdaptiveTimeStep>,
-    /// Share of the support that sound may cross in a step: given, speeds of sound are what the time step allows, the fastest
-    /// fluid's `C H / time_step` and the others in proportion (Gourlay: stiffness for a wanted time step; default: none).
+    /// What happens if a step cannot be made (default: it is refused with an error).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub recovery: Recovery,
+    /// Courant number C: the share of the support radius H that sound crosses in a step. If it is given, the speeds of
+    /// sound are derived from the time step: that of the fastest fluid is `C H / time_step`, and those of the other
+    /// fluids are in proportion (Gourlay; default `None`: the speeds of sound of the fluids). Use it to get the
+    /// stiffest fluid that a given time step allows.
     #[cfg_attr(feature = "serde", serde(default))]
     pub stiffness_for_time_step: Option<f32>,
-    /// Acceleration that acts everywhere, m/s2 (default none).
+    /// Acceleration of gravity, m/s2 (default 0).
     #[cfg_attr(feature = "serde", serde(default))]
     pub gravity: Vec3,
-    /// Density of what surrounds the fluid, kg/m3 (default 0): gravity then acts on the difference only (Gourlay's body force).
+    /// Density of the medium that surrounds the fluid, kg/m3, 0 or more (default 0). Gravity then acts on the
+    /// difference between the two densities only (Gourlay's body force).
     #[cfg_attr(feature = "serde", serde(default))]
     pub ambient_density: f32,
-    /// A wind, if any.
+    /// Wind (default none).
     #[cfg_attr(feature = "serde", serde(default))]
     pub wind: Option<Wind>,
-    /// A field of accelerations that the host gives, if any (Pirovano, section 2.2.5).
+    /// Lattice of an acceleration field supplied by the caller (Pirovano, section 2.2.5; default none).
     #[cfg_attr(feature = "serde", serde(default, alias = "field"))]
     pub acceleration_field: Option<AccelerationField>,
-    /// What flows, one fluid at least. A scene file may also give a single fluid without the brackets of a list.
+    /// The fluids, at least one. In a scene file a single fluid may be given without the brackets of a list.
     #[cfg_attr(feature = "serde", serde(alias = "fluid", deserialize_with = "list::one_or_several"))]
     pub fluids: Vec<Fluid, FLUIDS>,
-    /// Where the fluids are at the start.
+    /// The blocks of fluid at the start.
     pub blocks: Vec<Block, BLOCKS>,
-    /// The box that holds it, if any: planes that put particles back.
+    /// Container of penalty planes, which put particles that cross them back (default none).
     #[cfg_attr(feature = "serde", serde(default))]
     pub container: Option<Container>,
-    /// Walls made of particles.
+    /// Walls of fixed particles (default none).
     #[cfg_attr(feature = "serde", serde(default))]
     pub walls: Vec<Wall, WALLS>,
-    /// Directions that wrap around, if any.
+    /// Periodic domain (default none).
     #[cfg_attr(feature = "serde", serde(default))]
     pub periodic: Option<Periodic>,
-    /// How particles of elastic fluids are joined.
+    /// Springs between the particles of elastic fluids. Values other than the default need a fluid with an elastic
+    /// stiffness.
     #[cfg_attr(feature = "serde", serde(default))]
     pub elasticity: Elasticity,
-    /// A coat of air, if any.
+    /// Layer of air around the liquid (default none).
     #[cfg_attr(feature = "serde", serde(default))]
     pub air: Option<Air>,
-    /// Which formulas are used.
+    /// The formulas and their coefficients.
     #[cfg_attr(feature = "serde", serde(default))]
     pub model: Formulation,
-    /// How neighbours are found.
+    /// Grid of the neighbour search.
     #[cfg_attr(feature = "serde", serde(default))]
     pub grid: Grid,
-    /// Terms that are kept although their coefficient is 0, because it may be changed between steps (default none: what does nothing
-    /// is left out, and costs nothing).
+    /// Terms that are kept although their coefficient is 0, so that it can be changed between steps (default none:
+    /// terms with coefficient 0 are left out and cost nothing).
     #[cfg_attr(feature = "serde", serde(default, alias = "live"))]
     pub adjustable: Vec<Adjustable, { Adjustable::COUNT }>,
 }
 
-const AVERAGE_NEIGHBOURS: f32 = 32.0;
+/// Default of [`Scene::average_neighbours`].
+pub(crate) const AVERAGE_NEIGHBOURS: f32 = 32.0;
 
 #[cfg(feature = "serde")]
 fn default_average_neighbours() -> f32 {
     AVERAGE_NEIGHBOURS
 }
 
-/// Adds an item to a list of a scene.
+/// Adds an item to a list of a scene; `field` names the list in the error.
 fn push<T, const N: usize>(list: &mut Vec<T, N>, item: T, field: &'static str) -> Result<(), SceneError> {
     list.push(item).map_err(|_| SceneError::ListIsFull { field, capacity: N as u32 })
 }
 
 impl Scene {
-    /// A scene of one block with everything else at its default: no gravity, no walls, the thesis' choices of formulas.
+    /// Returns a scene with one block and defaults for everything else: no gravity, no walls, and the formulas of
+    /// Pirovano ([`Formulation::default`]).
     #[must_use]
     pub fn of(dimension: Dimension, particle_spacing: f32, time_step: f32, fluid: Fluid, block: Block) -> Scene {
         Scene {
             dimension,
             particle_spacing,
             average_neighbours: AVERAGE_NEIGHBOURS,
+            smoothing_ratio: None,
             time_step,
             adaptive: None,
+            recovery: Recovery::default(),
             stiffness_for_time_step: None,
             gravity: Vec3::ZERO,
             ambient_density: 0.0,
@@ -141,10 +163,10 @@ impl Scene {
         }
     }
 
-    /// Adds a fluid and returns its number, for [`Block::fluid`].
+    /// Adds a fluid and returns its index, which [`Block::fluid`] refers to.
     ///
     /// # Errors
-    /// [`SceneError::ListIsFull`] where the scene has [`FLUIDS`] fluids already.
+    /// [`SceneError::ListIsFull`] if the scene already has [`FLUIDS`] fluids.
     pub fn add_fluid(&mut self, fluid: Fluid) -> Result<u32, SceneError> {
         let number = self.fluids.len() as u32;
         push(&mut self.fluids, fluid, "fluids")?;
@@ -154,7 +176,7 @@ impl Scene {
     /// Adds a block of fluid.
     ///
     /// # Errors
-    /// [`SceneError::ListIsFull`] where the scene has [`BLOCKS`] blocks already.
+    /// [`SceneError::ListIsFull`] if the scene already has [`BLOCKS`] blocks.
     pub fn add_block(&mut self, block: Block) -> Result<(), SceneError> {
         push(&mut self.blocks, block, "blocks")
     }
@@ -162,31 +184,32 @@ impl Scene {
     /// Adds a wall of particles.
     ///
     /// # Errors
-    /// [`SceneError::ListIsFull`] where the scene has [`WALLS`] walls already.
+    /// [`SceneError::ListIsFull`] if the scene already has [`WALLS`] walls.
     pub fn add_wall(&mut self, wall: Wall) -> Result<(), SceneError> {
         push(&mut self.walls, wall, "walls")
     }
 
-    /// A fluid by number. Where the scene has no fluid of that number, which [`Scene::check`] refuses, it is the first one.
+    /// Returns the fluid with the given index, or the first fluid if no fluid has this index. [`Scene::check`] rejects
+    /// a scene that refers to such an index.
     #[must_use]
     pub fn fluid_of(&self, number: u32) -> &Fluid {
         self.fluids.get(number as usize).unwrap_or_else(|| self.first_fluid())
     }
 
-    /// Fluid 0, whose rest density is the unit of all densities inside the solver.
+    /// Returns fluid 0. Its rest density is the unit of all densities inside the solver.
     #[must_use]
     pub fn first_fluid(&self) -> &Fluid {
         self.fluids.first().unwrap_or(&Fluid::WATER)
     }
 
-    /// Axes that wrap around.
+    /// The periodic axes.
     pub(crate) fn periodic_axes(&self) -> impl Iterator<Item = usize> + use<> {
         let axes = self.periodic.map_or([false; 3], |periodic| periodic.axes);
         (0..self.dimension.count()).filter(move |&axis| axes[axis])
     }
 
-    /// Is this face of the container there? Not where the scene leaves it open, nor along a periodic axis, nor across the
-    /// plane in 2D.
+    /// Returns whether this face of the container has a penalty plane. It has none if the scene leaves it open, if its
+    /// axis is periodic, or if it is perpendicular to z in 2D.
     pub(crate) fn is_closed(&self, container: &Container, face: Face) -> bool {
         let axis = face.axis();
         axis < self.dimension.count()
@@ -194,29 +217,36 @@ impl Scene {
             && !self.periodic_axes().any(|round| round == axis)
     }
 
-    /// Particles that the coat of air can have: their ids come last.
+    /// Largest number of particles in the layer of air. They have the last ids.
     #[must_use]
     pub fn air_capacity(&self) -> usize {
         self.air.map_or(0, |air| air.capacity as usize)
     }
 
-    /// How the pressure of one of its fluids follows from density.
+    /// Returns the equation of state of one of the scene's fluids.
     #[must_use]
     pub fn equation_of(&self, fluid: &Fluid) -> EquationOfState {
         if self.corrects_pressure() {
-            // what the iterated pressure stands for is linear in the compression
+            // the pressure that the correction iterates is linear in the compression
             return EquationOfState::Linear;
         }
         fluid.equation_of_state.unwrap_or(self.model.equation_of_state)
     }
 
-    /// Is pressure iterated?
+    /// Returns whether pressure is found by pressure correction.
     #[must_use]
     pub fn corrects_pressure(&self) -> bool {
         self.model.pressure_solver == PressureSolver::PressureCorrection
     }
 
-    /// The longest step that there can be, s.
+    /// Returns how the time step changes, or `None` if it is fixed. It changes if it is adaptive, or if a step that
+    /// cannot be made is shortened.
+    pub(crate) fn changing_step(&self) -> Option<AdaptiveTimeStep> {
+        let only_shortened = || AdaptiveTimeStep::constant(self.time_step);
+        self.adaptive.or_else(|| (self.recovery != Recovery::Refuse).then(only_shortened))
+    }
+
+    /// Longest possible time step, s.
     #[must_use]
     pub fn longest_step(&self) -> f32 {
         self.adaptive.map_or(self.time_step, |adaptive| adaptive.largest)

@@ -1,9 +1,9 @@
-//! How time is stepped: what an integrator is good for, and how a time step follows from the state.
+//! Time stepping: the properties of the integrators, and the adaptive time step.
 use super::choice::Integrator;
 
 impl Integrator {
-    /// Order of its global error where forces do not depend on velocity; where they do, and a density that is stepped makes
-    /// them, see [`Integrator::damped_order`].
+    /// Returns the order of its global error if forces do not depend on velocity. For forces that do, which includes
+    /// those of a density integrated by the continuity equation, see [`Integrator::damped_order`].
     #[must_use]
     pub fn order(self) -> u32 {
         match self {
@@ -13,7 +13,7 @@ impl Integrator {
         }
     }
 
-    /// And where they do, with one evaluation a step.
+    /// Returns the order of its global error if forces depend on velocity and are evaluated once per step.
     #[must_use]
     pub fn damped_order(self) -> u32 {
         match self {
@@ -22,7 +22,8 @@ impl Integrator {
         }
     }
 
-    /// The same with forces evaluated again ([`Formulation::reevaluate`](super::Formulation::reevaluate)).
+    /// Returns the order of its global error if forces depend on velocity and are evaluated a second time at the end of
+    /// each step ([`Formulation::reevaluate`](super::Formulation::reevaluate)).
     #[must_use]
     pub fn damped_order_twice(self) -> u32 {
         match self {
@@ -31,15 +32,15 @@ impl Integrator {
         }
     }
 
-    /// Does it keep areas in phase space, so that energy does not drift where there is no damping?
+    /// Returns whether it conserves area in phase space, so that energy does not drift in an undamped motion.
     #[must_use]
     pub fn is_symplectic(self) -> bool {
         use Integrator::*;
         matches!(self, SemiImplicitEuler | Verlet | VelocityVerlet | ModifiedVelocityVerlet | Leapfrog)
     }
 
-    /// May one step be longer than the last? Not where what is remembered of the steps before is taken for one of the same
-    /// length.
+    /// Returns whether the length of steps may change. It may not if the integrator keeps a history of the last step,
+    /// which assumes that the next step has the same length.
     #[must_use]
     pub fn allows_changing_steps(self) -> bool {
         use Integrator::*;
@@ -47,9 +48,9 @@ impl Integrator {
     }
 }
 
-/// A time step that follows from the state (Pirovano, section 2.3.5; Roy, section 3.3, step 5): the shortest that one of four criteria
-/// asks for, H being the support radius. A criterion that is `None` does not count. Waves of a surface and springs have none of
-/// their own: `largest` is to keep their step.
+/// An adaptive time step (Pirovano, section 2.3.5; Roy, section 3.3, step 5): the shortest that four criteria allow,
+/// within bounds. H is the support radius. A criterion that is `None` is not used, but at least one must be set. No
+/// criterion covers surface waves or springs: if they need a shorter step, set `largest` accordingly.
 ///
 /// ```
 /// use millpond_core::glam::Vec3;
@@ -74,25 +75,44 @@ impl Integrator {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
 pub struct AdaptiveTimeStep {
-    /// C of `C H / v`, v being the largest speed (Pirovano eq. 2.41; default 0.15).
+    /// C of `C H / v`, v being the largest speed (Pirovano, eq. 2.41; default 0.15).
     pub speed: Option<f32>,
     /// C of `C sqrt(H / a)`, a being the largest acceleration (default 0.15).
     pub acceleration: Option<f32>,
-    /// C of `C H / c`, c being the largest speed of sound (Roy; default 0.15). Has no say where pressure is corrected.
+    /// C of `C H / c`, c being the largest speed of sound (Roy; default 0.15). It is not used with pressure correction.
     pub sound: Option<f32>,
-    /// C of `C H^2 / nu`, nu being the largest kinematic viscosity (default 0.03, about 0.125 on half of the support).
+    /// C of `C H^2 / nu`, nu being the largest kinematic viscosity (default 0.03, which is about 0.125 if H is replaced
+    /// by H / 2).
     pub viscosity: Option<f32>,
-    /// Shortest step, s (default 1e-7). Steps that should have been shorter are counted.
+    /// Shortest time step, s (default 1e-7). Steps that should have been shorter are counted
+    /// ([`TimeReport::clamped_steps`](crate::TimeReport::clamped_steps)).
     pub smallest: f32,
-    /// Longest step, s (default 0.01).
+    /// Longest time step, s (default 0.01).
     pub largest: f32,
-    /// Times that a step may be as long as the last one, 1 or more (default 1.1).
+    /// Largest ratio of a time step to the one before, 1 or more (default 1.1).
     #[cfg_attr(feature = "serde", serde(alias = "growth"))]
     pub max_growth: f32,
-    /// A step that lasted more than so many times what the state at its end asks for is undone, and made again as short as that
-    /// (Pirovano's option); 1 or more. Default: `None`, the next step is shorter.
+    /// Ratio above which a step is rejected, 1 or more (Pirovano's option; default `None`, no step is rejected). The
+    /// ratio is that of the time step to the longest one that the criteria allow at the end of the step. A rejected
+    /// step is undone and repeated with the allowed length. If no step is rejected, only the next step is shorter.
     #[cfg_attr(feature = "serde", serde(alias = "redo_above"))]
     pub reject_ratio: Option<f32>,
+}
+
+impl AdaptiveTimeStep {
+    /// Returns a time step without criteria, which always has the largest length.
+    pub(crate) fn constant(time_step: f32) -> AdaptiveTimeStep {
+        AdaptiveTimeStep {
+            speed: None,
+            acceleration: None,
+            sound: None,
+            viscosity: None,
+            smallest: f32::MIN_POSITIVE,
+            largest: time_step,
+            max_growth: f32::MAX,
+            reject_ratio: None,
+        }
+    }
 }
 
 impl Default for AdaptiveTimeStep {

@@ -31,7 +31,7 @@ pub fn is_exposed<R: Real>(p: &Parameters, normal: vec3<R>, wall: R, fluid: R) -
 /// Returns the position at which an exposed particle requests an air particle, m: one particle spacing outwards along
 /// the normal.
 #[inline(always)]
-pub fn place_of_birth<R: Real>(m: &Model, p: &Parameters, position: vec3<R>, normal: vec3<R>) -> vec3<R> {
+pub fn spawn_position<R: Real>(m: &Model, p: &Parameters, position: vec3<R>, normal: vec3<R>) -> vec3<R> {
     let away = div(real(p.spacing), root(length2(normal)));
     return wrap(m, p, flush3(position - normal * away));
 }

@@ -38,7 +38,7 @@ pub fn predicted_velocity<R: Real>(u: &StepUniform, velocity: vec3<R>, accelerat
 /// it in one step would shake the particles. In the literal form (Pirovano, eq. 3.3, corrected) the target is an
 /// unchanged density.
 #[inline(always)]
-pub fn density_miss<R: Real>(
+pub fn predicted_density_error<R: Real>(
     m: &Model,
     p: &Parameters,
     u: &StepUniform,

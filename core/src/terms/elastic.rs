@@ -18,7 +18,7 @@ pub fn spring_pull<R: Real>(x_ab: vec3<R>, rest_length: R, pull: R) -> vec3<R> {
 /// Returns the rest length of a spring after a step, m. It changes where the strain exceeds the yield strain (Clavet
 /// et al. 2005, section 5.2), and is -1 from the step in which the spring breaks.
 #[inline(always)]
-pub fn spring_given_way<R: Real>(p: &Parameters, u: &StepUniform, x_ab: vec3<R>, rest_length: R) -> R {
+pub fn plastic_rest_length<R: Real>(p: &Parameters, u: &StepUniform, x_ab: vec3<R>, rest_length: R) -> R {
     let nothing: R = real(0.0);
     let r = root(length2(x_ab));
     let borne = rest_length * p.yield_strain;

@@ -28,8 +28,8 @@ pub mod elastic;
 pub mod exchange;
 pub mod external;
 pub mod geometry;
-pub mod heat;
 pub mod integrate;
+pub mod internal_energy;
 pub mod kernel;
 pub mod near;
 pub mod neighbour;
@@ -44,7 +44,8 @@ pub mod viscosity;
 pub mod wall;
 pub mod xsph;
 
-texts!(air boundary correction density elastic exchange external geometry heat near neighbour pair pressure state
+texts!(air boundary correction density elastic exchange external geometry internal_energy near
+    neighbour pair pressure state
     support table tension time_step viscosity wall xsph);
 
 /// Returns the name and text of every file of terms. The order is arbitrary, since WGSL does not depend on it.

@@ -34,7 +34,7 @@ pub fn step_by_acceleration<R: Real>(reach: R, acceleration: R) -> R {
 #[inline(always)]
 pub fn step_wanted<R: Real>(p: &Parameters, speed2: R, acceleration2: R, sound: R) -> R {
     let by_speed = step_by_speed(real(p.speed_limit_length), root(speed2));
-    let by_acceleration = step_by_acceleration(real(p.acceleration_reach), root(acceleration2));
+    let by_acceleration = step_by_acceleration(real(p.acceleration_limit_length), root(acceleration2));
     let by_sound = step_by_speed(real(p.sound_limit_length), sound);
     return smaller(smaller(by_speed, by_acceleration), smaller(by_sound, real(p.viscous_time_step)));
 }

@@ -52,7 +52,7 @@ pub fn viscosity_monaghan_gingold<R: Real>(
     approach: R,
     inverse_square: R,
 ) -> R {
-    return viscosity * volume_b * approach * inverse_square * p.dotted_factor;
+    return viscosity * volume_b * approach * inverse_square * p.monaghan_gingold_factor;
 }
 
 /// Returns `rho_a m_b Pi_ab`, the factor of `-grad W`, with `Pi = (-alpha c mu + beta mu^2) / rho` and

@@ -1,6 +1,7 @@
 //! A scene that passed validation.
 use crate::derive::Derived;
 use crate::derive::initial_particles::initial_particles;
+use crate::derive::step_limits::recommended_step;
 use crate::scene::{InitialParticle, Scene};
 use core::ops::Deref;
 
@@ -26,6 +27,14 @@ impl<'s> Checked<'s> {
     #[must_use]
     pub fn derived(&self) -> &Derived {
         &self.derived
+    }
+
+    /// Returns a time step that is stable for most scenes, s: the shortest of 0.15 of the time in which sound crosses
+    /// the support radius, of what viscosity allows, and of what gravity allows, which are the defaults of
+    /// [`AdaptiveTimeStep`](crate::scene::AdaptiveTimeStep). Surface tension and springs may need a shorter one.
+    #[must_use]
+    pub fn recommended_time_step(&self) -> f32 {
+        recommended_step(self.scene, &self.derived)
     }
 
     /// Returns the scene's particles in the order of their ids: fluids, then walls, then inactive air.

@@ -1,12 +1,12 @@
 //! Checks the numbers of a scene one by one: finite, positive, within bounds.
-use super::bounds::{MOST_PARTICLES, field, finite, known_fluid, not_negative, positive, share};
+use super::bounds::{MOST_PARTICLES, field, finite, known_fluid, not_negative, not_together, positive, share};
 use super::time::step_lengths;
 use crate::axis::Axis;
 use crate::derive::counts::field_counts;
 use crate::derive::lattice_sums::MOST_SPACINGS;
 use crate::derive::scales::{Scales, average_neighbours};
 use crate::error::SceneError;
-use crate::scene::{Fluid, Formulation, Scene};
+use crate::scene::{AVERAGE_NEIGHBOURS, Fluid, Formulation, Scene};
 
 /// Largest number of nodes of an acceleration field, 64 MiB.
 const MOST_NODES: u32 = 1 << 22;
@@ -15,6 +15,14 @@ const MOST_NODES: u32 = 1 << 22;
 pub(super) fn numbers(scene: &Scene) -> Result<(), SceneError> {
     positive("particle_spacing", scene.particle_spacing)?;
     neighbours("average_neighbours", scene.average_neighbours)?;
+    if let Some(ratio) = scene.smoothing_ratio {
+        positive("smoothing_ratio", ratio)?;
+        if scene.average_neighbours != AVERAGE_NEIGHBOURS {
+            let why = "both set the support radius; leave one of them out";
+            return Err(not_together("smoothing_ratio", "average_neighbours", why));
+        }
+        neighbours("smoothing_ratio", average_neighbours(scene))?;
+    }
     positive("time_step", scene.time_step)?;
     step_lengths(scene)?;
     finite("gravity", scene.gravity.as_ref())?;

@@ -1,12 +1,18 @@
 //! Checks the time step: bounds of an adaptive step, and what can be combined with which integrator.
 use super::bounds::{field, finite, not_together, positive};
 use crate::error::SceneError;
-use crate::scene::{AdaptiveTimeStep, Integrator, Scene, Viscosity};
+use crate::scene::{AdaptiveTimeStep, Integrator, Recovery, Scene, Viscosity};
 
 /// Checks the numbers of an adaptive time step, and the coefficient of a stiffness derived from the time step.
 pub(super) fn step_lengths(scene: &Scene) -> Result<(), SceneError> {
     if let Some(courant) = scene.stiffness_for_time_step {
         positive("stiffness_for_time_step", courant)?;
+    }
+    if scene.recovery != Recovery::Refuse {
+        let (field, value, most) = ("recovery.times", scene.recovery.times() as f32, Recovery::MOST_TIMES as f32);
+        if !(1.0..=most).contains(&value) {
+            return Err(SceneError::OutOfBounds { field, value, least: 1.0, most });
+        }
     }
     let Some(adaptive) = &scene.adaptive else { return Ok(()) };
     let criteria = [
@@ -39,21 +45,26 @@ pub(super) fn integrator(scene: &Scene) -> Result<(), SceneError> {
     let model = &scene.model;
     let changes = model.integrator.allows_changing_steps();
     let corrects = scene.corrects_pressure();
-    if let Some(AdaptiveTimeStep { speed, acceleration, sound, viscosity, .. }) = scene.adaptive {
+    if let Some(AdaptiveTimeStep { speed, acceleration, sound, viscosity, .. }) = scene.changing_step() {
+        let choice = if scene.adaptive.is_some() { "adaptive" } else { "recovery ShortenStep" };
         if !changes {
             return Err(not_together(
-                "adaptive",
+                choice,
                 "model.integrator Verlet or any variant of Beeman",
                 "their history of the last step assumes steps of equal length; use another integrator, such as \
                  ModifiedVelocityVerlet",
             ));
         }
-        if [speed, acceleration, sound, viscosity].iter().all(Option::is_none) {
-            return Err(not_together("adaptive", "all criteria off", "set its speed, acceleration, sound or viscosity"));
+        if scene.adaptive.is_some() && [speed, acceleration, sound, viscosity].iter().all(Option::is_none) {
+            return Err(not_together(
+                "adaptive",
+                "all criteria off",
+                "set its speed, acceleration, sound or viscosity",
+            ));
         }
         if model.viscosity == Viscosity::VelocityExchange || scene.model.radial_exchange > 0.0 {
             return Err(not_together(
-                "adaptive",
+                choice,
                 "model.viscosity VelocityExchange or a model.radial_exchange above 0",
                 "these exchange a share of velocity per step, so the viscosity would change with the time step; use \
                  another viscosity and set radial_exchange to 0",

@@ -1,4 +1,5 @@
 //! A falling block with an adaptive time step, for tests of the CPU and of a device.
+use millpond_core::backend::derive::support_radius;
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{AdaptiveTimeStep, Block, Container, Dimension, Fluid, Formulation, Grid, Scene};
 
@@ -32,5 +33,15 @@ pub fn impact() -> Scene {
         reject_ratio: Some(1.0),
         ..AdaptiveTimeStep::default()
     });
+    scene
+}
+
+/// A few particles that leave the range of the grid in their first step, and do not in half of it.
+pub fn leaving() -> Scene {
+    let mut scene = falling();
+    (scene.adaptive, scene.container, scene.time_step) = (None, None, 2e-3);
+    scene.blocks[0].size = Vec3::new(0.1, 0.1, 0.0);
+    let range = (1 << 22) as f32 * support_radius(&scene) as f32;
+    scene.blocks[0].velocity = Vec3::new(1.5 * range / scene.time_step, 0.0, 0.0);
     scene
 }

@@ -48,7 +48,7 @@ const MARGIN: usize = 2;
 impl Column {
     /// Returns the tank of case H1 (after Adami et al. 2012): g = 1 m/s2 and a speed of sound of ten times the
     /// long-wave speed, which compresses the water by 1 % at the floor.
-    pub(super) fn of_catalogue(spacing: f32) -> Column {
+    pub(super) fn of_reference_case(spacing: f32) -> Column {
         let (depth, gravity) = (0.9f32, 1.0f32);
         // an eighth of the support radius per step is a quarter of the smoothing length h = H / 2 of textbooks
         Column {

@@ -152,7 +152,7 @@ pub(super) struct Calm {
 
 impl Droplet {
     /// Returns the drop of cases S1 and S2 with a radius of `radius` spacings.
-    pub(super) fn of_catalogue(tension: SurfaceTension, around: Around, radius: u16) -> Droplet {
+    pub(super) fn of_reference_case(tension: SurfaceTension, around: Around, radius: u16) -> Droplet {
         Droplet { tension, around, radius, spacing: SPACING * 20.0 / f32::from(radius), offset: [0.0; 2] }
     }
 

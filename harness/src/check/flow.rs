@@ -74,7 +74,7 @@ pub(super) fn grid(dimension: Dimension, cells: u32) -> Grid {
 
 /// Returns the fluid particles in the order of their ids, without wall particles and inactive air particles.
 pub(super) fn fluid(solver: &Solver<'_>) -> Vec<Particle> {
-    solver.particles().filter(|particle| !particle.wall && !particle.inactive).collect()
+    solver.particles().filter(|particle| !particle.is_wall && !particle.is_inactive).collect()
 }
 
 /// Returns the mean of a number over items, summed by a fixed tree; NaN if there are no items.

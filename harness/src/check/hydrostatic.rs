@@ -51,7 +51,7 @@ const LIMITED: usize = 1;
 pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let (spacing, limit, forms) =
         if context.quick { (QUICK_SPACING, QUICK_LIMIT, LIMITED) } else { (SPACING, LIMIT, FORMS.len()) };
-    let column = Column::of_catalogue(spacing);
+    let column = Column::of_reference_case(spacing);
     let mut figures = Vec::new();
     let mut lines = Vec::new();
     for (i, (wall, density)) in FORMS.into_iter().take(forms).enumerate() {

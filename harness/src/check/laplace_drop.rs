@@ -57,7 +57,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let mut figures = Vec::new();
     let mut lines = Vec::new();
     for (model, offsets, limit) in judged {
-        let centred = Droplet::of_catalogue(model, Around::Like, radius);
+        let centred = Droplet::of_reference_case(model, Around::Like, radius);
         let mut off = Vec::new();
         for &offset in offsets {
             let drop = Droplet { offset, ..centred };
@@ -74,7 +74,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     if !context.quick {
         for model in MODELS {
             for (around, radius) in [(Around::Like, COARSE), (Around::Nothing, COARSE), (Around::Nothing, FINE)] {
-                let drop = Droplet::of_catalogue(model, around, radius);
+                let drop = Droplet::of_reference_case(model, around, radius);
                 lines.push(line(&drop, &measure(context, &drop)));
             }
         }

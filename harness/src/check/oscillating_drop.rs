@@ -94,7 +94,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let mut figures = vec![Metric::below("formula against the reference table", table_error()?, TABLE_LIMIT)];
     let mut lines = Vec::new();
     for model in MODELS {
-        let drop = Droplet::of_catalogue(model, Around::Like, radius);
+        let drop = Droplet::of_reference_case(model, Around::Like, radius);
         let run = swing_by_itself(context, &drop)?;
         figures.push(Metric::below(format!("period error, {}", drop.title()), run.off().abs(), limit));
         lines.push(line(&drop, &Ok(run)));
@@ -120,7 +120,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     if !quick {
         for model in MODELS {
             for (around, radius) in [(Around::Like, COARSE), (Around::Nothing, COARSE)] {
-                let drop = Droplet::of_catalogue(model, around, radius);
+                let drop = Droplet::of_reference_case(model, around, radius);
                 lines.push(line(&drop, &swing_by_itself(context, &drop)));
             }
         }

@@ -56,7 +56,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let kernel = (Kernel::WendlandC2, 32.0);
     let (spacing, limit, forms) =
         if context.quick { (QUICK_SPACING, QUICK_LIMIT_SQUARED.sqrt(), 1) } else { (SPACING, LIMIT, FORMS.len()) };
-    let column = Column { kernel, jitter: 0.0, ..Column::of_catalogue(spacing) };
+    let column = Column { kernel, jitter: 0.0, ..Column::of_reference_case(spacing) };
     let mut figures = Vec::new();
     let mut lines = Vec::new();
     for (i, density) in FORMS.into_iter().take(forms).enumerate() {

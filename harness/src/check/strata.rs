@@ -136,7 +136,7 @@ impl Rest {
     }
 
     /// Returns the largest relative error of a density near the interface, against the fluid's own rest density.
-    pub(super) fn density_miss(&self) -> f64 {
+    pub(super) fn predicted_density_error(&self) -> f64 {
         let near = near(&self.rows);
         let least = if near.is_empty() { f64::NAN } else { 0.0 };
         near.iter().map(|row| (row.density - 1.0).abs()).fold(least, larger)
@@ -154,7 +154,11 @@ impl Rest {
             ),
             Metric::below(name("pressure step at the interface"), self.jump().abs(), PRESSURE_LIMIT),
             Metric::below(name("error of the gap at the interface, in spacings"), (self.gap() - 1.0).abs(), GAP_LIMIT),
-            Metric::below(name("largest density error near the interface"), self.density_miss(), DENSITY_LIMIT),
+            Metric::below(
+                name("largest density error near the interface"),
+                self.predicted_density_error(),
+                DENSITY_LIMIT,
+            ),
         ]
     }
 }

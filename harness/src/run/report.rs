@@ -58,7 +58,9 @@ pub struct TimeSteps {
     /// Number of steps that were undone and repeated with a shorter time step.
     pub rejected_steps: u32,
     /// Number of steps that should have been shorter than the smallest allowed.
-    pub held: u32,
+    pub clamped_steps: u32,
+    /// Number of times that a step was halved because it could not be made.
+    pub shortened_steps: u32,
 }
 
 /// Courant numbers, the quantities that [`AdaptiveTimeStep`](millpond_core::scene::AdaptiveTimeStep) limits. H is the

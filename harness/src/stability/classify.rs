@@ -109,7 +109,7 @@ impl Judge {
     pub(super) fn new(scene: &Checked<'_>, solver: &Solver<'_>) -> Judge {
         let scale = driven_by(scene).is_none().then(|| scale(scene, solver));
         // a box that does not hold all of the fluid at the start cannot lose it
-        let fluid = || solver.particles().filter(|particle| !particle.wall && !particle.inactive);
+        let fluid = || solver.particles().filter(|particle| !particle.is_wall && !particle.is_inactive);
         let holds = |bound: &Bound| !fluid().any(|particle| bound.is_outside(particle.position.to_array(), 0.0));
         let bounds = bounds(scene).into_iter().filter(holds).collect();
         Judge { scale, least: total(scene, solver), bounds }
@@ -143,7 +143,7 @@ impl Judge {
     /// Returns the share of the fluid that is outside of its boxes by more than a margin, m.
     fn lost(&self, solver: &Solver<'_>, margin: f64) -> f64 {
         let (mut lost, mut all) = (0u64, 0u64);
-        for particle in solver.particles().filter(|particle| !particle.wall && !particle.inactive) {
+        for particle in solver.particles().filter(|particle| !particle.is_wall && !particle.is_inactive) {
             let outside = |bound: &Bound| bound.is_outside(particle.position.to_array(), margin);
             lost += u64::from(self.bounds.iter().any(outside));
             all += 1;

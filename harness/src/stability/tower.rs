@@ -154,7 +154,8 @@ fn height(scene: &Scene) -> f64 {
 
 /// Returns the relative error of the mean density of the fluid (Hinsch 2024, section 7).
 fn error(scene: &Scene, solver: &Solver<'_>) -> f64 {
-    let fluid: Vec<f64> = solver.particles().filter(|p| !p.wall && !p.inactive).map(|p| f64::from(p.density)).collect();
+    let fluid: Vec<f64> =
+        solver.particles().filter(|p| !p.is_wall && !p.is_inactive).map(|p| f64::from(p.density)).collect();
     tree_sum(fluid.len(), &|i| fluid[i]) / fluid.len() as f64 / f64::from(scene.fluids[0].rest_density) - 1.0
 }
 

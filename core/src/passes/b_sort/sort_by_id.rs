@@ -6,7 +6,7 @@
 //! The pass uses insertion sort, because a cell holds few particles, most of which were in this order in the step
 //! before.
 use crate::executor::{Executor, Jobs, parts, take};
-use crate::grid::is_limbo;
+use crate::grid::is_inactive_cell;
 use crate::memory::Sorting;
 use crate::passes::context::{Step, sorting};
 use crate::passes::pairs::cells;
@@ -49,7 +49,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
             let unsorted =
                 if places > 0 { &grid_cells[first_place..first_place + members.len()] } else { &cell_members[members] };
             let (source_slot, id) = (&mut job.source_slot[slots.clone()], &mut job.id[slots]);
-            if is_limbo(setup.model, setup.parameters, cell) {
+            if is_inactive_cell(setup.model, setup.parameters, cell) {
                 source_slot.copy_from_slice(unsorted);
                 for (id, &slot) in id.iter_mut().zip(unsorted) {
                     *id = old_id[slot as usize];

@@ -3,7 +3,7 @@
 use super::springs::springs;
 use crate::executor::{Executor, Jobs, parts, shares, take};
 use crate::passes::context::Step;
-use crate::terms::elastic::spring_given_way;
+use crate::terms::elastic::plastic_rest_length;
 
 /// Fills `spring_ends` of the new state.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
@@ -23,7 +23,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
             for end in springs.ends(id as u32) {
                 let [other, length] = springs.ends[end];
                 let x_ab = springs.separation_from(&setup, x_a, other);
-                let given = spring_given_way(setup.parameters, setup.uniform, x_ab, f32::from_bits(length));
+                let given = plastic_rest_length(setup.parameters, setup.uniform, x_ab, f32::from_bits(length));
                 own[end - *first_end] = [other, given.to_bits()];
             }
         }

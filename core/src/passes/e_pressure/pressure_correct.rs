@@ -9,7 +9,9 @@ use crate::passes::context::{Setup, Step};
 use crate::passes::group::{Group, fold};
 use crate::passes::local::{own_numbers, particles};
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
-use crate::terms::correction::{density_miss, inverse_correction, predicted_velocity, pressure_corrected, residual};
+use crate::terms::correction::{
+    inverse_correction, predicted_density_error, predicted_velocity, pressure_corrected, residual,
+};
 use crate::terms::density::{continuity_neighbour, deviation_rate};
 use crate::terms::pair::{pair_scale, separation};
 use crate::terms::wall::{MIRRORED, mass_seen};
@@ -56,7 +58,7 @@ impl PairPass for PressureCorrect<'_> {
         let [deviation, before, near_pressure, volume] = own_numbers::<R>(own);
         let k = particles.stiffness::<R>(setup, group.first, group.last);
         let rate = deviation_rate(m, p, rate, a.mass, a.rest_ratio);
-        let miss = density_miss(m, p, u, before, deviation, rate, k.compressibility);
+        let miss = predicted_density_error(m, p, u, before, deviation, rate, k.compressibility);
         let inverse = inverse_correction(u, k.pressure_response, k.response_offset);
         let mut after = pressure_corrected(m, before, miss, inverse);
         if m.wall_particles == MIRRORED {

@@ -9,7 +9,7 @@ use crate::passes::lanes::{load, load_if_any, row_of, store_xyz};
 use crate::terms::boundary::{depth_behind, depth_if_free, put_back, reflect, select_if_behind};
 use crate::terms::geometry::flush3;
 use crate::terms::integrate::{
-    has_history, history_after, history_turned, moves_again, needs_predicted_velocity, needs_start_acceleration,
+    has_history, history_after, history_reversed, moves_again, needs_predicted_velocity, needs_start_acceleration,
     position_after, velocity_after, wrap,
 };
 use crate::terms::wall::only_if_free;
@@ -98,7 +98,7 @@ impl Work for &mut Job<'_> {
                         v = reflect(m, p, u, v, normal, depth);
                         x = put_back(x, normal, depth);
                         if has_history(m) {
-                            history = select_if_behind(history, history_turned(m, u, v, a, history), depth);
+                            history = select_if_behind(history, history_reversed(m, u, v, a, history), depth);
                         }
                     }
                 }

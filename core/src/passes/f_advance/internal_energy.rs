@@ -9,7 +9,9 @@ use crate::passes::group::{Group, fold};
 use crate::passes::local::{own_numbers, particles};
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::exchange::{exchange_close, exchange_share};
-use crate::terms::heat::{exchange_heat, heat_close, heat_neighbour, heat_stepped};
+use crate::terms::internal_energy::{
+    exchange_dissipation, internal_energy_close, internal_energy_neighbour, internal_energy_stepped,
+};
 
 /// Advances the internal energies.
 pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
@@ -31,7 +33,7 @@ impl PairPass for InternalEnergy<'_> {
 
     /// Sets inactive air particles to the internal energy that new air particles start with.
     fn absent(&self, setup: &Setup<'_>, own: &mut [f32x4]) {
-        own.fill([setup.parameters.air_heat, 0.0, 0.0, 0.0]);
+        own.fill([setup.parameters.air_internal_energy, 0.0, 0.0, 0.0]);
     }
 
     #[inline(always)]
@@ -45,19 +47,19 @@ impl PairPass for InternalEnergy<'_> {
         let v_a = xyz(group.spread::<R>(self.ahead));
         let [sum, ..] = fold!(group: R, adds nothing to itself, |slots| {
             let v_ab = v_a - xyz(R::gather(self.ahead, slots));
-            [heat_neighbour(m, p, t, a, group.neighbours(slots), v_ab), none, none, none]
+            [internal_energy_neighbour(m, p, t, a, group.neighbours(slots), v_ab), none, none, none]
         });
-        let mut rate = heat_close(m, p, sum, a);
+        let mut rate = internal_energy_close(m, p, sum, a);
         if m.has_velocity_exchange == 1 {
             let [heat, shares, ..] = fold!(group: R, adds nothing to itself, |slots| {
                 let b = group.neighbours(slots);
                 let v_ab = v_a - xyz(R::gather(self.ahead, slots));
-                [exchange_heat(m, p, a, b, v_ab), exchange_share(m, p, a, b), none, none]
+                [exchange_dissipation(m, p, a, b, v_ab), exchange_share(m, p, a, b), none, none]
             });
             rate = rate + heat * exchange_close(u, shares);
         }
         let [energy, rate_before, z, w] = own_numbers::<R>(own);
-        let stepped = heat_stepped(u, energy, rate_before, rate);
+        let stepped = internal_energy_stepped(u, energy, rate_before, rate);
         // walls have no internal energy
         let is_wall = less(none, a.wall);
         let of = |before: R, after: R| select(after, before, is_wall);

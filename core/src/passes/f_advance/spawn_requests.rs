@@ -10,7 +10,7 @@ use crate::grid::{Cells, Stencil, cell_of};
 use crate::layout::f32x4;
 use crate::passes::context::{Setup, Step};
 use crate::passes::pairs::cells;
-use crate::terms::air::{is_taken, place_of_birth};
+use crate::terms::air::{is_taken, spawn_position};
 use crate::terms::boundary::depth_behind;
 
 /// The particles, by slot.
@@ -26,7 +26,7 @@ struct Liquid<'a> {
 impl Liquid<'_> {
     fn place(&self, setup: &Setup<'_>, a: usize) -> vec3<f32> {
         let (x, normal) = (vec3::splat(self.position[a]), vec3::splat(self.gradient[a]));
-        place_of_birth(setup.model, setup.parameters, x, normal)
+        spawn_position(setup.model, setup.parameters, x, normal)
     }
 
     /// Returns the cells around a position, or `None` if the position is outside the range of the grid.

@@ -11,7 +11,7 @@ use crate::layout::f32x4;
 use crate::memory::State;
 use crate::passes::context::Step;
 use crate::passes::lanes::is_inactive;
-use crate::terms::air::{is_thin, place_of_birth};
+use crate::terms::air::{is_thin, spawn_position};
 use core::ops::Range;
 
 /// Makes and removes air particles, and counts the requests for which no inactive particle was left.
@@ -30,7 +30,7 @@ pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) {
             }
         } else if let Some(parent) = next_parent(&mut ids, new.slot_of_id, requested) {
             let (x, [u, v, w, _]) = (vec3::splat(new.position[parent]), new.velocity[parent]);
-            let place = place_of_birth(m, p, x, vec3::splat(gradient[parent]));
+            let place = spawn_position(m, p, x, vec3::splat(gradient[parent]));
             new.position[slot] = [place.x, place.y, place.z, 1.0];
             set(p.rest_volume, new, slot, [u, v, w, p.air_fluid]);
         }

@@ -197,7 +197,7 @@ pub fn history_after<R: Real>(m: &Model, u: &StepUniform, a: vec3<R>, history: v
 
 /// Returns the history of a particle that a wall has just reflected, or that has not made a step yet.
 #[inline(always)]
-pub fn history_turned<R: Real>(m: &Model, u: &StepUniform, v: vec3<R>, new_a: vec3<R>, history: vec3<R>) -> vec3<R> {
+pub fn history_reversed<R: Real>(m: &Model, u: &StepUniform, v: vec3<R>, new_a: vec3<R>, history: vec3<R>) -> vec3<R> {
     if m.integrator == VERLET {
         return flush3(verlet_start(v, new_a, real(u.time_step), real(u.half_time_step)));
     }

@@ -6,6 +6,6 @@ fn pass_body(i: u32) {
   for (var e = springs.x; e < springs.x + springs.y; e += 1u) {
     let end = old_spring_ends[e];
     let x_ab = separation(x_a, new_position[new_slot_of_id[end.x]].xyz);
-    new_spring_ends[e] = vec2(end.x, bitcast<u32>(spring_given_way(x_ab, bitcast<f32>(end.y))));
+    new_spring_ends[e] = vec2(end.x, bitcast<u32>(plastic_rest_length(x_ab, bitcast<f32>(end.y))));
   }
 }

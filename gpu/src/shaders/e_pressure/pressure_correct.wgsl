@@ -2,7 +2,8 @@
 fn predicted(a: u32) -> vec3<f32> { return predicted_velocity(new_velocity[a].xyz, new_acceleration[a].xyz); }
 
 fn pass_body(a: u32) {
-  if a >= p.particle_count || atomicLoad(&head.status.failed) != 0u || atomicLoad(&head.status.pressure_converged) != 0u { return; }
+  if a >= p.particle_count || atomicLoad(&head.status.failed) != 0u { return; }
+  if atomicLoad(&head.status.pressure_converged) != 0u { return; }
   if is_inactive(new_velocity[a].w) { return; }
   if m.wall_particles == MIRRORED && properties_of(new_velocity[a].w).y > 0.0f { return; }
   let x_a = new_position[a].xyz;
@@ -29,7 +30,7 @@ fn pass_body(a: u32) {
   let k = stiffness_of(new_velocity[a].w);
   rate = deviation_rate(rate, new_position[a].w, own_properties.z);
   let inverse = inverse_correction(k.pressure_response, k.response_offset);
-  let after = pressure_corrected(state.y, density_miss(state.y, state.x, rate, k.compressibility), inverse);
+  let after = pressure_corrected(state.y, predicted_density_error(state.y, state.x, rate, k.compressibility), inverse);
   new_density_pressure[a] = vec4(state.x, after, state.z, state.w);
   atomicMax(&head.status.residual, bitcast<u32>(residual(state.y, after, inverse)));
 }

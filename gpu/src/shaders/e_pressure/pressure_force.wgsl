@@ -17,5 +17,6 @@ fn pass_body(i: u32) {
       if is_near(a, b) { force = force + pressure_neighbour(a, b); }
     }
   }
-  new_acceleration[i] = vec4(flush3(non_pressure_acceleration[i].xyz + acceleration_close(force, a)), non_pressure_acceleration[i].w);
+  let non_pressure = non_pressure_acceleration[i];
+  new_acceleration[i] = vec4(flush3(non_pressure.xyz + acceleration_close(force, a)), non_pressure.w);
 }

@@ -8,7 +8,11 @@ fn pass_body(a: u32) {
   if needs_start_acceleration() { at_start = start_acceleration[a].xyz; }
   if has_history() { before = new_history[a].xyz; }
   var v = new_velocity[a].xyz;
-  if needs_predicted_velocity() { v = end_velocity[a].xyz; } else { v = velocity_after(v, acceleration, at_start, before); }
+  if needs_predicted_velocity() {
+    v = end_velocity[a].xyz;
+  } else {
+    v = velocity_after(v, acceleration, at_start, before);
+  }
   var history = history_after(at_start, before);
   if m.has_container == 1u || moves_again() {
     var x = new_position[a].xyz;
@@ -20,7 +24,7 @@ fn pass_body(a: u32) {
         let depth = depth_if_free(depth_behind(x, plane.xyz, plane.w), wall);
         v = reflect(v, plane.xyz, depth);
         x = put_back(x, plane.xyz, depth);
-        if has_history() { history = select_if_behind(history, history_turned(v, acceleration, history), depth); }
+        if has_history() { history = select_if_behind(history, history_reversed(v, acceleration, history), depth); }
       }
     }
     new_position[a] = vec4(x, new_position[a].w);

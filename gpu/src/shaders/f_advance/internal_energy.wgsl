@@ -6,7 +6,7 @@ fn pass_body(i: u32) {
   let a = local(i);
   if is_inactive(new_velocity[i].w) {
     // new air particles start with this internal energy
-    new_internal_energy[i] = vec4(p.air_heat, 0.0f, 0.0f, 0.0f);
+    new_internal_energy[i] = vec4(p.air_internal_energy, 0.0f, 0.0f, 0.0f);
     return;
   }
   if a.wall > 0.0f { return; }
@@ -22,16 +22,16 @@ fn pass_body(i: u32) {
       let b = local(j);
       if is_near(a, b) {
         let v_ab = v_a - at_step(j);
-        sum = sum + heat_neighbour(a, b, v_ab);
+        sum = sum + internal_energy_neighbour(a, b, v_ab);
         if m.has_velocity_exchange == 1u {
-          heat = heat + exchange_heat(a, b, v_ab);
+          heat = heat + exchange_dissipation(a, b, v_ab);
           shares = shares + exchange_share(a, b);
         }
       }
     }
   }
-  var rate = heat_close(sum, a);
+  var rate = internal_energy_close(sum, a);
   if m.has_velocity_exchange == 1u { rate = rate + heat * exchange_close(shares); }
   let before = new_internal_energy[i];
-  new_internal_energy[i] = vec4(heat_stepped(before.x, before.y, rate), rate, 0.0f, 0.0f);
+  new_internal_energy[i] = vec4(internal_energy_stepped(before.x, before.y, rate), rate, 0.0f, 0.0f);
 }

@@ -1,6 +1,6 @@
 // Finds the liquid particles beside which an air particle is to be made. CPU counterpart:
 // core/src/passes/f_advance/spawn_requests.rs.
-fn place_of(a: u32) -> vec3<f32> { return place_of_birth(new_position[a].xyz, total_colour_gradient[a].xyz); }
+fn place_of(a: u32) -> vec3<f32> { return spawn_position(new_position[a].xyz, total_colour_gradient[a].xyz); }
 
 // Returns whether no particle is near a position and the position is not behind a penalty plane.
 fn is_free(place: vec3<f32>) -> bool {

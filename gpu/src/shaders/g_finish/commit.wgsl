@@ -21,8 +21,9 @@ fn counts() -> bool {
       atomicAdd(&head.status.undone, 1u);
       return false;
     }
-    if wanted < p.smallest_time_step { atomicAdd(&head.status.held, 1u); }
+    if wanted < p.smallest_time_step { atomicAdd(&head.status.clamped_steps, 1u); }
     atomicAdd(&head.status.rejected_steps, atomicExchange(&head.status.undone, 0u));
+    atomicAdd(&head.status.shortened_steps, atomicExchange(&head.status.shortenings, 0u));
     head.status.first_time_step = head.status.time_step;
   }
   head.status.last_time_step = step;
@@ -34,6 +35,22 @@ fn counts() -> bool {
   return true;
 }
 
+// Has a step that cannot be made tried again with half of its time step.
+fn shorten() {
+  atomicAdd(&head.status.shortenings, 1u);
+  atomicStore(&head.status.out_of_range, NONE);
+  atomicStore(&head.status.cell_full, NONE);
+  atomicStore(&head.status.not_finite, NONE);
+  atomicStore(&head.status.iterations, 0u);
+  atomicStore(&head.status.refused, 0u);
+  atomicStore(&head.status.pressure_converged, 0u);
+  atomicStore(&head.status.max_speed_squared, 0u);
+  atomicStore(&head.status.max_acceleration_squared, 0u);
+  atomicStore(&head.status.max_sound_speed, 0u);
+  set_step(step_half(u.time_step));
+  atomicStore(&head.status.failed, 2u);
+}
+
 fn pass_body(thread: u32) {
   if thread != 0u { return; }
   let failed = atomicLoad(&head.status.failed);
@@ -42,6 +59,10 @@ fn pass_body(thread: u32) {
   let full = atomicLoad(&head.status.cell_full);
   if full != NONE { atomicStore(&head.status.cell_count, atomicLoad(&head.counter[full])); }
   if full != NONE || atomicLoad(&head.status.out_of_range) != NONE || atomicLoad(&head.status.not_finite) != NONE {
+    if atomicLoad(&head.status.shortenings) < p.most_shortenings {
+      shorten();
+      return;
+    }
     atomicStore(&head.status.failed, 1u);
     // the clock did not advance either, so the time step gets back its value from before this step
     if m.is_adaptive == 1u { set_step(head.status.first_time_step); }

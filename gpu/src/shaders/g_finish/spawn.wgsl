@@ -72,7 +72,7 @@ fn pass_body(thread: u32) {
     } else {
       if next < all_births {
         let parent = spawn_requested[p.particle_count + next];
-        new_position[slot] = vec4(place_of_birth(new_position[parent].xyz, total_colour_gradient[parent].xyz), 1.0f);
+        new_position[slot] = vec4(spawn_position(new_position[parent].xyz, total_colour_gradient[parent].xyz), 1.0f);
         renew(slot, vec4(new_velocity[parent].xyz, p.air_fluid));
         alive += 1u;
       }

@@ -4,7 +4,7 @@ use millpond_core::backend::arithmetic::double::Double;
 use millpond_core::backend::arithmetic::real::{Real, real, vec3};
 use millpond_core::backend::layout::{Model, StepUniform};
 use millpond_core::backend::terms::integrate::{
-    MODIFIED_VELOCITY_VERLET, history_after, history_turned, is_beeman, moved, position_after, velocity_after,
+    MODIFIED_VELOCITY_VERLET, history_after, history_reversed, is_beeman, moved, position_after, velocity_after,
     velocity_for_forces,
 };
 
@@ -103,7 +103,7 @@ impl<R: Precision> Motion<R> {
             let (back, p) = (Model { integrator: MODIFIED_VELOCITY_VERLET, ..model }, steps_of(-time_step));
             oscillator.acceleration(moved(&back, &p, x, v, a, a), velocity_for_forces(&back, &p, v, a, a))
         } else {
-            history_turned(&model, &uniform, v, a, a)
+            history_reversed(&model, &uniform, v, a, a)
         };
         Motion { oscillator, twice: scheme.twice, model, uniform, x, v, a, history }
     }
