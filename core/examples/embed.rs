@@ -1,4 +1,4 @@
-//! How a game embeds the fluid: memory lent once, a step a tick, particles handed to the renderer.
+//! How a game embeds the fluid: lend memory once, advance the fluid in each frame, draw the particles.
 //!
 //! `cargo run --release -p millpond-core --example embed`
 use millpond_core::glam::Vec3;
@@ -20,13 +20,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut pool = Pool::boxed();
     let mut fluid = Solver::new(&scene, pool.lend())?;
 
-    // a frame of 1/60 s is 42 steps; what is refused leaves the fluid as it was, so the game goes on
+    // a frame of a game; a step that is refused leaves the fluid as it was, so the game goes on
     for frame in 0..60 {
-        for _ in 0..42 {
-            if let Err(refused) = fluid.step(&Serial) {
-                eprintln!("{refused}");
-                break;
-            }
+        if let Err(refused) = fluid.advance(1.0 / 60.0, 100, &Serial) {
+            eprintln!("{refused}");
         }
         if frame % 12 == 0 {
             draw(&fluid);

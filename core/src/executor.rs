@@ -62,9 +62,41 @@ impl Executor for Serial {
     }
 }
 
+/// An executor whose type is not known. Passes are written against it, and so they are compiled once, in this crate and optimised as
+/// this crate is, whichever executor a program brings.
+pub(crate) trait AnyExecutor {
+    /// Number of jobs that can run at once.
+    fn width(&self) -> usize;
+
+    /// Calls each job once, in any order.
+    fn call(&self, jobs: &mut [&mut (dyn FnMut() + Send)]);
+}
+
+impl<E: Executor> AnyExecutor for E {
+    fn width(&self) -> usize {
+        Executor::width(self)
+    }
+
+    fn call(&self, jobs: &mut [&mut (dyn FnMut() + Send)]) {
+        self.run(jobs, |job| job());
+    }
+}
+
+impl dyn AnyExecutor + '_ {
+    /// Calls `work` once for each of `jobs`, in any order.
+    pub(crate) fn run<J: Send>(&self, jobs: &mut [J], work: impl Fn(&mut J) + Sync) {
+        let work = &work;
+        for jobs in jobs.chunks_mut(MOST_JOBS) {
+            let mut calls: Jobs<_> = jobs.iter_mut().map(|job| move || work(job)).collect();
+            let mut jobs: Jobs<&mut (dyn FnMut() + Send)> = calls.iter_mut().map(|call| call as _).collect();
+            self.call(&mut jobs);
+        }
+    }
+}
+
 /// Number of jobs into which a pass is divided: a few for each that can run at once, so that little time is spent
 /// waiting for the slowest.
-pub(crate) fn parts(executor: &impl Executor) -> usize {
+pub(crate) fn parts(executor: &dyn AnyExecutor) -> usize {
     match executor.width() {
         0 | 1 => 1,
         width => width.saturating_mul(4).min(MOST_JOBS),

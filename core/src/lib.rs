@@ -7,6 +7,33 @@
 //!
 //! All quantities are in SI units. In two dimensions every z is 0 and masses are per metre of depth.
 //!
+//! ```
+//! use millpond_core::glam::Vec3;
+//! use millpond_core::scene::{Block, Container, Dimension, Fluid, Formulation, Scene};
+//! use millpond_core::{OwnedMemory, Serial, Solver};
+//!
+//! fn main() -> Result<(), Box<dyn std::error::Error>> {
+//!     let water = Fluid { speed_of_sound: 20.0, dynamic_viscosity: 1.0, ..Fluid::default() };
+//!     let column = Block { size: Vec3::splat(0.8), ..Block::default() };
+//!     let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, water, column);
+//!     scene.gravity = Vec3::new(0.0, -9.81, 0.0);
+//!     scene.container = Some(Container::closed(Vec3::ZERO, Vec3::new(2.0, 2.0, 0.8)));
+//!     scene.model = Formulation { negative_pressure: false, ..Formulation::modern() };
+//!     scene.time_step = scene.check()?.recommended_time_step();
+//!     let mut memory = OwnedMemory::of(&scene.check()?);
+//!     let mut pond = Solver::new(&scene, memory.lend())?;
+//!     for frame in 0..60 {
+//!         pond.advance(1.0 / 60.0, 50, &Serial)?; // a frame of a game, in at most 50 steps
+//!         let highest = pond.fluid_positions().map(|position| position.y).fold(0.0, f32::max);
+//!         println!("frame {frame}: the water reaches up to {highest:.2} m");
+//!     }
+//!     Ok(())
+//! }
+//! ```
+//!
+//! Debug builds need `opt-level = 3` for this package ("Embed it" in the README), or the fluid is about 100 times
+//! slower.
+//!
 //! # For readers of the source
 //!
 //! Data flows one way through the folders of `core/src`:

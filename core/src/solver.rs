@@ -3,7 +3,7 @@ use crate::arithmetic::level::Simd;
 use crate::clock::{Clock, SteadyTime, TimeReport, set_step};
 use crate::derive::kernel_tables::fill_tables;
 use crate::error::{SceneError, StepError};
-use crate::executor::Executor;
+use crate::executor::{AnyExecutor, Executor};
 use crate::hash::{full_state_hash, state_hash};
 use crate::layout::{MOST_ATTEMPTS, Materials, Model, Parameters, Status, StepUniform, f32x4, u32x2};
 use crate::live::{Constants, LiveScene};
@@ -163,7 +163,7 @@ impl<'m> Solver<'m> {
 
     fn step_inside(
         &mut self,
-        executor: &impl Executor,
+        executor: &dyn AnyExecutor,
         begins: &mut (dyn FnMut(Pass) + Send),
     ) -> Result<(), StepError> {
         let (model, schedule) = (self.plan.model, self.schedule.clone());
@@ -214,7 +214,7 @@ impl<'m> Solver<'m> {
     /// fluid.
     pub(crate) fn attempt_evaluation(
         &mut self,
-        executor: &impl Executor,
+        executor: &dyn AnyExecutor,
         model: &Model,
         constants: &Constants,
         field: Option<&[f32x4]>,
@@ -226,7 +226,7 @@ impl<'m> Solver<'m> {
     /// solver's acceleration field.
     fn attempt(
         &mut self,
-        executor: &impl Executor,
+        executor: &dyn AnyExecutor,
         model: &Model,
         constants: &Constants,
         field: Option<&[f32x4]>,

@@ -1,6 +1,5 @@
 //! One step: carries out the commands of a schedule, one after the other.
 use crate::error::StepError;
-use crate::executor::Executor;
 use crate::passes::g_finish::commit::verdict;
 use crate::passes::{self, context::Step};
 use crate::plan::passes::Pass;
@@ -9,7 +8,7 @@ use crate::plan::schedule::{Command, interpret};
 /// Makes the new state, or returns the error because of which it cannot be made. The old state stays as it was.
 /// `begins` is called with each pass before it runs.
 pub(crate) fn run(
-    step: &mut Step<'_, '_, impl Executor>,
+    step: &mut Step<'_, '_>,
     commands: &[Command],
     begins: &mut (dyn FnMut(Pass) + Send),
 ) -> Result<(), StepError> {

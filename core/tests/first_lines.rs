@@ -1,10 +1,9 @@
 //! Promise: the first lines of code that a user reads, in the README and in the examples, compile and run as printed.
 //!
 //! `stack_is_small.rs` runs them once more without optimisation, on a stack of 1 MiB.
-use millpond_core::backend::layout::f32x4;
 use millpond_core::glam::Vec3;
-use millpond_core::scene::{Block, Dimension, Fluid, Scene};
-use millpond_core::{Serial, Solver, Storage};
+use millpond_core::scene::{Block, Container, Dimension, Fluid, Formulation, Scene};
+use millpond_core::{OwnedMemory, Serial, Solver, Storage};
 use std::error::Error;
 
 /// Returns the lines of code between two lines of a text, without comments.
@@ -22,25 +21,26 @@ fn stand_here(lines: &[&str]) {
 }
 
 #[test]
-fn of_the_readme() -> Result<(), Box<dyn Error>> {
-    let lines = code(include_str!("../../README.md"), "```rust", "```");
-    assert!(lines.len() >= 4, "{lines:?}");
-    stand_here(&lines);
+fn of_the_readme_and_of_the_crate() -> Result<(), Box<dyn Error>> {
+    let [readme, page] = [include_str!("../../README.md"), include_str!("../src/lib.rs")];
+    let lines = code(readme, "```rust", "```");
+    assert!(lines.len() >= 20, "{lines:?}");
+    let page: Vec<&str> = page.lines().filter_map(|line| line.strip_prefix("//!")).map(str::trim_start).collect();
+    assert_eq!(code(&page.join("\n"), "```", "```"), lines, "the first page of the crate, whose lines are a doctest");
+    // one frame instead of sixty, since `stack_is_small.rs` runs this unoptimised
+    stand_here(&code(readme, "fn main()", "for frame"));
 
-    let scene = Scene::of(
-        Dimension::Three,
-        0.05,
-        0.001,
-        Fluid::default(),
-        Block { size: Vec3::new(0.8, 0.8, 0.8), jitter: 0.1, ..Block::default() },
-    );
-    let before = Block::default().velocity;
-    let upload = |places: &[f32x4]| assert_eq!(places.len(), 4096);
-    let mut storage: Box<Storage<4096, 32768>> = Storage::boxed();
-    let mut solver = Solver::new(&scene, storage.lend())?;
-    solver.step(&Serial)?;
-    upload(solver.state().position);
-    assert!(solver.particles().any(|particle| particle.velocity != before), "it moves");
+    let water = Fluid { speed_of_sound: 20.0, dynamic_viscosity: 1.0, ..Fluid::default() };
+    let column = Block { size: Vec3::splat(0.8), ..Block::default() };
+    let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, water, column);
+    scene.gravity = Vec3::new(0.0, -9.81, 0.0);
+    scene.container = Some(Container::closed(Vec3::ZERO, Vec3::new(2.0, 2.0, 0.8)));
+    scene.model = Formulation { negative_pressure: false, ..Formulation::modern() };
+    scene.time_step = scene.check()?.recommended_time_step();
+    let mut memory = OwnedMemory::of(&scene.check()?);
+    let mut pond = Solver::new(&scene, memory.lend())?;
+    let advance = pond.advance(1.0 / 60.0, 50, &Serial)?;
+    assert!(advance.steps > 20 && pond.fluid_positions().count() == 4096, "{advance:?}");
     Ok(())
 }
 

@@ -1,6 +1,7 @@
 //! The input that every pass gets, and the results that passes record about a step as a whole.
 use super::columns::Columns;
 use crate::arithmetic::level::Simd;
+use crate::executor::AnyExecutor;
 use crate::layout::{Materials, Model, Parameters, Status, StepUniform, Tables, f32x4};
 use crate::memory::{Given, Scratch, State};
 use crate::plan::schedule::Command;
@@ -29,9 +30,9 @@ pub(crate) struct Setup<'a> {
 }
 
 /// A step in progress. It writes the state `new`, and reads the state `old`, which stays unchanged.
-pub(crate) struct Step<'s, 'm, E> {
+pub(crate) struct Step<'s, 'm> {
     pub setup: Setup<'s>,
-    pub executor: &'s E,
+    pub executor: &'s dyn AnyExecutor,
     pub old: &'s State<'m>,
     pub new: &'s mut State<'m>,
     pub scratch: &'s mut Scratch<'m>,

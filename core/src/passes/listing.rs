@@ -16,7 +16,7 @@ use super::lists::{Filling, GROUP, Lists, MOST_LISTED, ROOM, groups, share};
 use super::local::Particles;
 use super::pairs::present;
 use crate::arithmetic::lanes::Lanes;
-use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::executor::{AnyExecutor, Jobs, parts, shares, take};
 use crate::grid::{Cells, Stencil, cell_of};
 use crate::layout::f32x4;
 use crate::terms::wall::MIRRORED;
@@ -65,7 +65,7 @@ pub(crate) struct Job<'a, V> {
 /// Lists the neighbours of all particles, and passes those of each group to the visitor.
 pub(crate) fn run<V: Visit>(
     setup: Setup<'_>,
-    executor: &impl Executor,
+    executor: &dyn AnyExecutor,
     particles: Particles<'_>,
     cells: Cells<'_>,
     neighbours: &mut [u32],

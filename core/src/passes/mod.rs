@@ -90,7 +90,6 @@ pub(crate) mod g_finish {
     pub(crate) mod validate;
 }
 
-use crate::executor::Executor;
 use crate::plan::passes::Pass;
 use context::Step;
 
@@ -98,7 +97,7 @@ macro_rules! dispatch {
     ($($(#[$doc:meta])* $pass:ident: $folder:ident / $file:ident, $threads:ident, $status:ident, if $runs:expr,
         [$($access:ident $array:ident $(@ $bound:ident)?),*];)*) => {
         /// Runs a pass.
-        pub(crate) fn run(pass: Pass, step: &mut Step<'_, '_, impl Executor>) {
+        pub(crate) fn run(pass: Pass, step: &mut Step<'_, '_>) {
             match pass { $(Pass::$pass => $folder::$file::run(step),)* }
         }
     };

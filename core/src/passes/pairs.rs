@@ -6,7 +6,7 @@ use super::group::{Group, Surroundings};
 use super::lists::{GROUP, Lists, groups};
 use super::local::Particles;
 use crate::arithmetic::lanes::Lanes;
-use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::executor::{AnyExecutor, Jobs, parts, shares, take};
 use crate::grid::Cells;
 use crate::layout::f32x4;
 
@@ -62,7 +62,7 @@ pub(crate) struct Job<'a, P> {
 /// Runs a pass over all groups. Returns the maximum of the numbers that [`PairPass::group`] returned.
 pub(crate) fn run<P: PairPass>(
     setup: Setup<'_>,
-    executor: &impl Executor,
+    executor: &dyn AnyExecutor,
     particles: Particles<'_>,
     cells: Cells<'_>,
     lists: Lists<'_>,

@@ -77,7 +77,7 @@ impl Plan {
                 add(slope, true);
             }
             Pass::PressureCorrect => {
-                add(&["continuity_neighbour", "predicted_density_error", "pressure_corrected"], true)
+                add(&["continuity_neighbour", "predicted_density_error", "pressure_corrected"], true);
             }
             Pass::SpawnRequests => add(&["spawn_position", "is_taken"], true),
             Pass::Spawn => add(&["is_thin", "spawn_position"], true),

@@ -3,7 +3,7 @@
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::level::Work;
 use crate::arithmetic::real::real;
-use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::executor::{Jobs, parts, shares, take};
 use crate::layout::f32x4;
 use crate::memory::{Sorting, State};
 use crate::passes::context::{Setup, Step, sorting};
@@ -21,7 +21,7 @@ struct Job<'a> {
 }
 
 /// Fills `moved_position` and `moved_velocity`.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (setup, executor, old) = (step.setup, step.executor, step.old);
     let Sorting { moved_position: mut positions, moved_velocity: mut velocities, .. } = sorting!(step);
     let mut jobs = Jobs::new();

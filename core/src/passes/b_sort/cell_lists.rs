@@ -5,7 +5,7 @@ use crate::memory::Sorting;
 use crate::passes::context::{Step, sorting};
 
 /// Fills `grid_cells`. Records a cell that has too few places.
-pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let Sorting { cell, rank, .. } = sorting!(step);
     let status = &mut step.found.status;
     status.cell_full = fill(cell, rank, step.setup.model.cell_places, step.scratch.grid_cells);

@@ -6,7 +6,7 @@
 //! position.
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::level::Work;
-use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::executor::{AnyExecutor, Jobs, parts, shares, take};
 use crate::grid::cell_of;
 use crate::grid::lanes::cells_of;
 use crate::layout::{NONE, f32x4};
@@ -26,7 +26,7 @@ struct Job<'a> {
 }
 
 /// Fills `cell`, `rank` and the counters of the cells.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let Sorting { moved_position, moved_velocity, cell, rank, .. } = sorting!(step);
     step.found.status.out_of_range =
         find(step.setup, step.executor, [moved_position, moved_velocity], step.old.id, cell);
@@ -38,7 +38,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
 /// Fills `cell`. Returns the smallest `4 id + axis` of a coordinate out of range, or [`NONE`].
 fn find(
     setup: Setup<'_>,
-    executor: &impl Executor,
+    executor: &dyn AnyExecutor,
     [position, velocity]: [&[f32x4]; 2],
     id: &[u32],
     cell: &mut [u32],

@@ -1,6 +1,6 @@
 //! Moves an array from the slots before the step into the slots after it, so that the particles of a cell lie side by
 //! side. Runs once for each array that a step sorts.
-use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::executor::{AnyExecutor, Jobs, parts, shares, take};
 use crate::layout::f32x4;
 use crate::memory::Sorting;
 use crate::passes::context::Step;
@@ -14,7 +14,7 @@ struct Job<'a> {
 
 /// Moves the array that the command names. The source is in the old state or among the sorting arrays, and the
 /// destination is in the new state or in the scratch memory.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let Step { old, new, scratch, executor, command, .. } = step;
     let Command::Gather { from: (from, side), to } = *command else { return };
     // taken out of the scratch memory, because another of its arrays may be written
@@ -27,7 +27,7 @@ pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
 }
 
 /// `to[slot] = from[source_slot[slot]]`.
-fn moved(executor: &impl Executor, source_slot: &[u32], from: &[u32], to: &mut [u32]) {
+fn moved(executor: &dyn AnyExecutor, source_slot: &[u32], from: &[u32], to: &mut [u32]) {
     let from: &[f32x4] = bytemuck::cast_slice(from);
     let mut outs: &mut [f32x4] = bytemuck::cast_slice_mut(to);
     let mut jobs = Jobs::new();

@@ -2,7 +2,7 @@
 use crate::passes::context::Step;
 
 /// Fills `cell_start`.
-pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     scan(step.scratch.grid_cell_counters, step.scratch.cell_start);
 }
 

@@ -3,7 +3,7 @@ use crate::memory::Sorting;
 use crate::passes::context::{Step, sorting};
 
 /// Fills `cell_members`.
-pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let Sorting { cell, rank, cell_members, .. } = sorting!(step);
     scatter(cell, rank, step.scratch.cell_start, cell_members);
 }

@@ -5,7 +5,7 @@
 //!
 //! The pass uses insertion sort, because a cell holds few particles, most of which were in this order in the step
 //! before.
-use crate::executor::{Executor, Jobs, parts, take};
+use crate::executor::{Jobs, parts, take};
 use crate::grid::is_inactive_cell;
 use crate::memory::Sorting;
 use crate::passes::context::{Step, sorting};
@@ -19,7 +19,7 @@ struct Job<'a> {
 }
 
 /// Fills `source_slot` and `id`.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (setup, old_id) = (step.setup, &*step.old.id);
     let places = setup.model.cell_places as usize;
     let Sorting { source_slot: mut sources, cell: cell_of, cell_members, .. } = sorting!(step);

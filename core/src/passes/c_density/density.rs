@@ -1,7 +1,6 @@
 //! Computes the density of each particle from its neighbours, and the pressures and volume that follow from it.
 use crate::arithmetic::lanes::{Lanes, Slots};
 use crate::arithmetic::real::{less, real, select, vec3};
-use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
@@ -24,7 +23,7 @@ use crate::terms::wall::{MIRRORED, mass_seen};
 
 /// Fills `density_pressure`. Where density depends on distances only, the pass also finds the neighbours and fills
 /// `neighbours`.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (setup, executor) = (step.setup, step.executor);
     let (particles, cells) = (particles!(step but density), cells!(step));
     let pass = Density { previous: step.scratch.previous_density_pressure };

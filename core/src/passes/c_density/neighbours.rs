@@ -2,7 +2,6 @@
 //! pairs read these lists. Where density depends on distances only, this pass does not run: the density pass finds the
 //! neighbours while it sums the density.
 use crate::arithmetic::lanes::Lanes;
-use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
@@ -12,7 +11,7 @@ use crate::passes::local::particles;
 use crate::passes::pairs::cells;
 
 /// Fills `neighbours`.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (setup, particles, cells) = (step.setup, particles!(step but density), cells!(step));
     listing::run(
         setup,

@@ -1,7 +1,7 @@
 //! Computes the support radius of each particle from its density before the step. Runs only with variable supports.
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::level::Work;
-use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::executor::{Jobs, parts, shares, take};
 use crate::layout::f32x4;
 use crate::passes::context::{Setup, Step};
 use crate::passes::lanes::load_one;
@@ -14,7 +14,7 @@ struct Job<'a> {
 }
 
 /// Fills `support_ratio`.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (setup, s) = (step.setup, &mut *step.scratch);
     let (previous, mut supports) = (&*s.previous_density_pressure, &mut *s.support_ratio);
     let mut jobs = Jobs::new();

@@ -2,7 +2,6 @@
 //! air.
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{less, real, select, vec3};
-use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::by_model;
 use crate::passes::context::Step;
@@ -13,7 +12,7 @@ use crate::terms::air::{is_exposed, total_gradient};
 use crate::terms::geometry::flush3;
 
 /// Fills `total_colour_gradient`.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
     pairs::run(step.setup, step.executor, particles, cells, lists, &Exposure, step.scratch.total_colour_gradient);
 }

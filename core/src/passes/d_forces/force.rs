@@ -2,7 +2,6 @@
 //! later, pressure is left out.
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{div, real, vec3};
-use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::by_model;
 use crate::passes::context::Step;
@@ -18,7 +17,7 @@ use crate::terms::pair::{Local, density_ratio};
 use crate::terms::wall::if_free;
 
 /// Fills the accelerations, or those without pressure where pressure is iterated.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
     let corrects = step.setup.model.corrects_pressure();
     let out = if corrects { &mut *step.scratch.non_pressure_acceleration } else { &mut *step.new.acceleration };

@@ -2,7 +2,6 @@
 //! that fluid. Runs only where a surface tension or the caller needs normals.
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::real::{less, real, select, vec3};
-use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::by_model;
 use crate::passes::context::Step;
@@ -13,7 +12,7 @@ use crate::terms::geometry::flush3;
 use crate::terms::tension::{CURVATURE, colour_gradient, colour_laplacian, curvature_of_colour};
 
 /// Fills the normals.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
     pairs::run(step.setup, step.executor, particles, cells, lists, &Normals, step.new.normal);
 }

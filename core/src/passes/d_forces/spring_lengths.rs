@@ -1,12 +1,12 @@
 //! Computes the rest lengths of springs after the step. Runs only where they change: with plasticity, or with springs
 //! that break.
 use super::springs::springs;
-use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::executor::{Jobs, parts, shares, take};
 use crate::passes::context::Step;
 use crate::terms::elastic::plastic_rest_length;
 
 /// Fills `spring_ends` of the new state.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (setup, springs) = (step.setup, springs!(step));
     let mut rest = &mut *step.new.spring_ends;
     let count = rest.len();

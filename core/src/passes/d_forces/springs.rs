@@ -3,7 +3,7 @@
 //! Each particle processes its own spring ends, in the order of the ids at the other ends. The two ends of a spring
 //! compute the same force from the same numbers, and so the same rest length for the next step.
 use crate::arithmetic::real::vec3;
-use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::executor::{Jobs, parts, shares, take};
 use crate::layout::{f32x4, u32x2, u32x4};
 use crate::passes::context::{Setup, Step};
 use crate::terms::elastic::spring_pull;
@@ -60,7 +60,7 @@ impl Springs<'_> {
 }
 
 /// Adds to the accelerations, or to those without pressure where pressure is iterated.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (setup, springs) = (step.setup, springs!(step));
     let corrects = setup.model.corrects_pressure();
     let mut rest = if corrects { &mut *step.scratch.non_pressure_acceleration } else { &mut *step.new.acceleration };

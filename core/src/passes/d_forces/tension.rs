@@ -2,7 +2,6 @@
 //! that depends on curvature.
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{less, real, select, vec3};
-use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
@@ -13,7 +12,7 @@ use crate::terms::geometry::flush3;
 use crate::terms::tension::{NORMAL_CURVATURE, curvature_of_normals, normal_divergence, tension_close};
 
 /// Adds to the accelerations, or to those without pressure where pressure is iterated.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
     let corrects = step.setup.model.corrects_pressure();
     let out = if corrects { &mut *step.scratch.non_pressure_acceleration } else { &mut *step.new.acceleration };

@@ -2,7 +2,6 @@
 //! Runs only with pressure correction.
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{less, real, select};
-use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
@@ -17,7 +16,7 @@ use crate::terms::pair::{pair_scale, separation};
 use crate::terms::wall::{MIRRORED, mass_seen};
 
 /// Corrects the pressures, and records the largest density error.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (particles, cells, lists) = (particles!(step but density), cells!(step), lists!(step));
     let pass = PressureCorrect { acceleration: step.new.acceleration };
     let residual = pairs::run(step.setup, step.executor, particles, cells, lists, &pass, step.new.density_pressure);

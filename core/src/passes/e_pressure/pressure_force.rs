@@ -2,7 +2,6 @@
 //! correction.
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{real, vec3};
-use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
@@ -14,7 +13,7 @@ use crate::terms::neighbour::{acceleration_close, pressure_neighbour};
 use crate::terms::wall::if_free;
 
 /// Fills the accelerations.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
     let pass = PressureForce { non_pressure: step.scratch.non_pressure_acceleration };
     pairs::run(step.setup, step.executor, particles, cells, lists, &pass, step.new.acceleration);

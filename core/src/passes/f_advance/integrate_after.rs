@@ -2,7 +2,7 @@
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::level::Work;
 use crate::arithmetic::real::{less, real, vec3};
-use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::executor::{Jobs, parts, shares, take};
 use crate::layout::f32x4;
 use crate::passes::context::{Setup, Step};
 use crate::passes::lanes::{load, load_if_any, row_of, store_xyz};
@@ -25,7 +25,7 @@ struct Job<'a> {
 }
 
 /// Finishes positions, velocities and the history of the integrator.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (setup, new) = (step.setup, &mut *step.new);
     // an evaluation of forces without a step has the arrays of its scene, but does not fill them
     let if_needed = |needed: bool, array| if needed { array } else { &[][..] };

@@ -1,7 +1,6 @@
 //! Advances the internal energy of each particle. Runs only where a scene tracks internal energy.
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{less, real, select};
-use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
@@ -14,7 +13,7 @@ use crate::terms::internal_energy::{
 };
 
 /// Advances the internal energies.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
     let pass = InternalEnergy { ahead: step.scratch.end_velocity };
     pairs::run(step.setup, step.executor, particles, cells, lists, &pass, step.new.internal_energy);

@@ -2,7 +2,7 @@
 //! velocities that forces are evaluated with.
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::level::Work;
-use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::executor::{Jobs, parts, shares, take};
 use crate::layout::f32x4;
 use crate::passes::context::{Setup, Step};
 use crate::passes::lanes::{load_if_any, store_xyz};
@@ -18,7 +18,7 @@ struct Job<'a> {
 }
 
 /// Fills `end_velocity`, with the material as the fourth number.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let new = &*step.new;
     let start_acceleration =
         if needs_start_acceleration(step.setup.model) { &*step.scratch.start_acceleration } else { &[] };

@@ -5,7 +5,7 @@
 //! the way are searched around the requested position, not around the exposed particle: across a gap they may be
 //! further away than a support radius. Few particles are exposed, so the pass does not use SIMD.
 use crate::arithmetic::real::vec3;
-use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::executor::{Jobs, parts, shares, take};
 use crate::grid::{Cells, Stencil, cell_of};
 use crate::layout::f32x4;
 use crate::passes::context::{Setup, Step};
@@ -64,7 +64,7 @@ impl Liquid<'_> {
 }
 
 /// Fills `spawn_requested`.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (setup, position, id) = (step.setup, &*step.new.position, &*step.new.id);
     let liquid = Liquid { sorted: cells!(step), position, gradient: step.scratch.total_colour_gradient, id };
     let mut rest = &mut *step.scratch.spawn_requested;

@@ -2,7 +2,6 @@
 //! Runs only with XSPH.
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{real, vec3};
-use crate::executor::Executor;
 use crate::layout::f32x4;
 use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
@@ -13,7 +12,7 @@ use crate::terms::wall::if_free;
 use crate::terms::xsph::{xsph_close, xsph_neighbour};
 
 /// Fills `xsph_velocity`.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
     let pass = Xsph { predicted_velocity: step.scratch.end_velocity };
     pairs::run(step.setup, step.executor, particles, cells, lists, &pass, step.new.xsph_velocity);

@@ -6,7 +6,7 @@ use crate::passes::context::Step;
 use crate::plan::arrays::Quantity;
 
 /// Does nothing on the CPU, where the interpreter of the schedule checks the results itself.
-pub(crate) fn run<E>(_: &mut Step<'_, '_, E>) {}
+pub(crate) fn run(_: &mut Step<'_, '_>) {}
 
 /// Returns the error that a status records. If it records several, the error of the earliest pass is returned. `places`
 /// is the number of places of a cell, with cell lists.

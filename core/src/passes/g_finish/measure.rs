@@ -1,7 +1,7 @@
 //! Finds the largest speed, acceleration and speed of sound, which determine the next time step. Runs only with
 //! adaptive time steps.
 use crate::arithmetic::real::vec3;
-use crate::executor::{Executor, Jobs, parts, shares};
+use crate::executor::{Jobs, parts, shares};
 use crate::layout::f32x4;
 use crate::passes::context::{Maxima, Setup, Step};
 use crate::passes::lanes::material_of;
@@ -15,7 +15,7 @@ struct Job<'a> {
 }
 
 /// Finds the maxima of the new state.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (setup, new) = (step.setup, &*step.new);
     let mut jobs = Jobs::new();
     for slots in shares(new.id.len(), parts(step.executor)) {

@@ -15,7 +15,7 @@ use crate::terms::air::{is_thin, spawn_position};
 use core::ops::Range;
 
 /// Makes and removes air particles, and counts the requests for which no inactive particle was left.
-pub(crate) fn run<E>(step: &mut Step<'_, '_, E>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (m, p, new) = (step.setup.model, step.setup.parameters, &mut *step.new);
     let (gradient, requested) = (&*step.scratch.total_colour_gradient, &*step.scratch.spawn_requested);
     let slots = new.slot_of_id.len();

@@ -1,5 +1,5 @@
 //! Checks that an array of the new state is finite. Runs once for each array.
-use crate::executor::{Executor, Jobs, parts, shares};
+use crate::executor::{Jobs, parts, shares};
 use crate::layout::{NONE, QUANTITIES_OF_ID, f32x4};
 use crate::passes::context::Step;
 use crate::plan::schedule::Command;
@@ -12,7 +12,7 @@ struct Job<'a> {
 }
 
 /// Records the smallest id of a particle with a number that is not finite and, for that id, the first such array.
-pub(crate) fn run(step: &mut Step<'_, '_, impl Executor>) {
+pub(crate) fn run(step: &mut Step<'_, '_>) {
     let Command::Validate(array) = step.command else { return };
     let (entries, id): (&[f32x4], _) = (bytemuck::cast_slice(step.new.words(array)), &*step.new.id);
     let mut jobs = Jobs::new();

@@ -2,7 +2,7 @@
 use super::{Job, Others, PairSum, run};
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::real::real;
-use crate::executor::Executor;
+use crate::executor::AnyExecutor;
 use crate::grid::Cells;
 use crate::layout::f32x4;
 use crate::passes::by_model;
@@ -16,7 +16,7 @@ use crate::terms::wall::mass_seen;
 /// Fills `sums` with the sums of density, near density and number density.
 pub(crate) fn sum_once(
     setup: Setup<'_>,
-    executor: &impl Executor,
+    executor: &dyn AnyExecutor,
     particles: Particles<'_>,
     cells: Cells<'_>,
     sums: &mut [f32x4],

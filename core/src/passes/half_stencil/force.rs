@@ -3,7 +3,7 @@
 use super::{Job, Others, PairSum, run};
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::real::{real, vec3};
-use crate::executor::Executor;
+use crate::executor::AnyExecutor;
 use crate::grid::Cells;
 use crate::layout::f32x4;
 use crate::passes::by_model;
@@ -15,7 +15,7 @@ use crate::terms::pair::Local;
 /// Fills `sums` with the force on each particle, N.
 pub(crate) fn sum_once(
     setup: Setup<'_>,
-    executor: &impl Executor,
+    executor: &dyn AnyExecutor,
     particles: Particles<'_>,
     cells: Cells<'_>,
     sums: &mut [f32x4],

@@ -19,7 +19,7 @@ use super::local::Particles;
 use crate::arithmetic::codes::MOST_LANES;
 use crate::arithmetic::lanes::{Lanes, Slots};
 use crate::arithmetic::real::vec3;
-use crate::executor::{Executor, Jobs, parts, shares, take};
+use crate::executor::{AnyExecutor, Jobs, parts, shares, take};
 use crate::grid::Cells;
 use crate::grid::half::{Planes, ahead};
 use crate::layout::f32x4;
@@ -72,7 +72,7 @@ pub(crate) struct Job<'a, S> {
 /// Adds the contributions of all pairs to the sums. The pair of a particle with itself is not included.
 pub(crate) fn run<S: PairSum>(
     setup: Setup<'_>,
-    executor: &impl Executor,
+    executor: &dyn AnyExecutor,
     particles: Particles<'_>,
     cells: Cells<'_>,
     sum: &S,
