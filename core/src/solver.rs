@@ -171,7 +171,7 @@ impl<'m> Solver<'m> {
         let (mut rejected, mut shortened) = (0, 0);
         while rejected < MOST_ATTEMPTS {
             let found = match self.attempt(executor, &model, &constants, None, &schedule, begins) {
-                Err(_) if shortened < constants.parameters.most_shortenings => {
+                Err(_) if shortened < model.most_shortenings => {
                     shortened += 1;
                     constants.step = constants.step.with_time_step(step_half::<f32>(constants.step.time_step));
                     continue;

@@ -134,8 +134,6 @@ shared! {
         /// A step is rejected and repeated if it was longer than this many times the step that the state at its end
         /// asks for; 0: never.
         pub reject_ratio: f32,
-        /// How many times a step that cannot be made is halved before it is refused.
-        pub most_shortenings: u32,
     }
 }
 

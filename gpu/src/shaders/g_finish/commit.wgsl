@@ -59,7 +59,7 @@ fn pass_body(thread: u32) {
   let full = atomicLoad(&head.status.cell_full);
   if full != NONE { atomicStore(&head.status.cell_count, atomicLoad(&head.counter[full])); }
   if full != NONE || atomicLoad(&head.status.out_of_range) != NONE || atomicLoad(&head.status.not_finite) != NONE {
-    if atomicLoad(&head.status.shortenings) < p.most_shortenings {
+    if atomicLoad(&head.status.shortenings) < m.most_shortenings {
       shorten();
       return;
     }
