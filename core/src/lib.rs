@@ -1,9 +1,9 @@
 //! millpond-core: a fluid of particles (smoothed particle hydrodynamics, SPH) that you step inside your own program.
 //!
-//! The crate needs no standard library and allocates nothing. You lend it memory ([`Storage`], [`OwnedMemory`], or
-//! slices of your own), describe what flows ([`scene::Scene`]), and step it ([`Solver::step`]). The same scene gives
-//! the same bits on any number of threads, at every SIMD level, in debug and release builds, with either grid
-//! structure, and on a GPU in strict mode (`millpond-gpu`).
+//! The crate needs no standard library, and allocates nothing unless you enable its feature `alloc`. You lend it memory
+//! ([`Storage`], slices of your own, or with `alloc` an `OwnedMemory`), describe what flows ([`scene::Scene`]), and
+//! advance it ([`Solver::advance`]). The same scene gives the same bits on any number of threads, with any vector
+//! instructions of the processor, in debug and release builds, and on a GPU in strict mode (`millpond-gpu`).
 //!
 //! All quantities are in SI units. In two dimensions every z is 0 and masses are per metre of depth.
 //!
@@ -15,11 +15,11 @@
 //! fn main() -> Result<(), Box<dyn std::error::Error>> {
 //!     let water = Fluid { speed_of_sound: 20.0, dynamic_viscosity: 1.0, ..Fluid::default() };
 //!     let column = Block { size: Vec3::splat(0.8), ..Block::default() };
-//!     let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, water, column);
+//!     let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, water, column); // spacing in m, time step in s
 //!     scene.gravity = Vec3::new(0.0, -9.81, 0.0);
 //!     scene.container = Some(Container::closed(Vec3::ZERO, Vec3::new(2.0, 2.0, 0.8)));
 //!     scene.model = Formulation { negative_pressure: false, ..Formulation::modern() };
-//!     scene.time_step = scene.check()?.recommended_time_step();
+//!     scene.time_step = scene.check()?.recommended_time_step(); // instead of that 0.001 s
 //!     let mut memory = OwnedMemory::of(&scene.check()?);
 //!     let mut pond = Solver::new(&scene, memory.lend())?;
 //!     for frame in 0..60 {
@@ -36,7 +36,8 @@
 //!
 //! # For readers of the source
 //!
-//! Data flows one way through the folders of `core/src`:
+//! A scene is validated, turned into a plan (which arrays and passes it needs), and stepped. Data flows one way through
+//! the folders of `core/src`:
 //! 1. `scene`: what a scene asks for, as plain data;
 //! 2. `validate`: what is refused, and why; `derive`: what follows from a scene, computed once;
 //! 3. `plan`: the tables of arrays and passes, and a time step as a list of commands;

@@ -33,10 +33,18 @@ pub enum Failure {
     /// The GPU backend reported an error.
     #[error(transparent)]
     Gpu(GpuError),
-    /// A file could not be read or written.
-    #[error("{error}: {}", .path.display())]
+    /// A file could not be read.
+    #[error("{}: {error}", .path.display())]
     File {
         /// Path of the file.
+        path: PathBuf,
+        /// Error of the operating system.
+        error: std::io::Error,
+    },
+    /// A result could not be written.
+    #[error("{}: cannot be written: {error}", .path.display())]
+    Unwritten {
+        /// Path of the file or folder.
         path: PathBuf,
         /// Error of the operating system.
         error: std::io::Error,
@@ -48,7 +56,7 @@ pub enum Failure {
 
 impl Failure {
     /// Returns the exit status: 1 if a step failed, 2 if the arguments or the scene are wrong, 3 if the backend is not
-    /// available.
+    /// available, 4 if a result could not be written.
     #[must_use]
     pub fn exit_status(&self) -> u8 {
         match self {
@@ -56,11 +64,18 @@ impl Failure {
             // no GPU could run this scene
             Failure::Gpu(GpuError::CpuOnly { .. }) => 2,
             Failure::Gpu(_) => 3,
+            Failure::Unwritten { .. } => 4,
             _ => 2,
         }
     }
 
-    /// Returns a function that turns an I/O error into a failure with this path.
+    /// Returns a function that turns an error of writing into a failure with this path.
+    pub fn unwritten(path: &Path) -> impl FnOnce(std::io::Error) -> Failure {
+        let path = path.to_owned();
+        move |error| Failure::Unwritten { path, error }
+    }
+
+    /// Returns a function that turns an error of reading into a failure with this path.
     pub fn file(path: &Path) -> impl FnOnce(std::io::Error) -> Failure {
         let path = path.to_owned();
         move |error| Failure::File { path, error }

@@ -112,7 +112,7 @@ fn draw(named: &LoadedScene, time: f64, state: &Snapshot, path: &Path) -> Result
         Camera::Flat => View::Flat,
         Camera::Orbit { yaw_degrees, pitch_degrees } => View::Orbit { yaw_degrees, pitch_degrees },
     };
-    paint(&frame, &view, bounds, SIZE[0], SIZE[1]).write_png(path).map_err(Failure::file(path))
+    paint(&frame, &view, bounds, SIZE[0], SIZE[1]).write_png(path).map_err(Failure::unwritten(path))
 }
 
 /// A fluid particle as it is drawn.

@@ -79,7 +79,7 @@ pub fn progress(what: &str, steps: u64) -> ProgressBar {
 /// # Errors
 /// A folder that cannot be created.
 pub fn make_folder(folder: &Path) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder).map_err(Failure::file(folder))
+    std::fs::create_dir_all(folder).map_err(Failure::unwritten(folder))
 }
 
 /// Writes a text file.
@@ -87,5 +87,5 @@ pub fn make_folder(folder: &Path) -> Result<(), Failure> {
 /// # Errors
 /// A file that cannot be written.
 pub fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
-    std::fs::write(path, text).map_err(Failure::file(path))
+    std::fs::write(path, text).map_err(Failure::unwritten(path))
 }

@@ -22,12 +22,14 @@ pub fn current(text: &str) -> Cow<'_, str> {
 pub fn line_of(text: &str, field: &str) -> Option<usize> {
     let code = code_of(text);
     let mut at = 0;
-    for step in field.split('.') {
+    for (i, step) in field.split('.').enumerate() {
         let (name, item) = match step.split_once('[') {
             Some((name, rest)) => (name, rest.trim_end_matches(']').parse().ok()),
             None => (step, None),
         };
-        at += key(&code[at..], name)?;
+        // a field of the scene itself may have the name of another one inside of an earlier field
+        let own = if i == 0 { own_key(&code, name) } else { None };
+        at += own.or_else(|| key(&code[at..], name))?;
         if let Some(item) = item {
             at += start_of_item(&code[at..], item)?;
         }
@@ -55,6 +57,29 @@ fn code_of(text: &str) -> String {
         rest = after;
     }
     out
+}
+
+/// Returns the position of `name:` among the fields of the scene itself.
+fn own_key(code: &str, name: &str) -> Option<usize> {
+    let scene = key(code, "scene")?;
+    let start = scene + code[scene..].find('(')? + 1;
+    let (mut depth, mut own) = (0, String::new());
+    for c in code[start..].chars() {
+        match c {
+            '(' | '[' => depth += 1,
+            ')' | ']' => depth -= 1,
+            _ => {}
+        }
+        if depth < 0 {
+            break;
+        }
+        // what lies deeper is blanked out, byte by byte
+        own.extend(if depth == 0 { Some(c) } else { None });
+        if depth > 0 {
+            own.extend(core::iter::repeat_n(' ', c.len_utf8()));
+        }
+    }
+    key(&own, name).map(|at| start + at)
 }
 
 /// Returns the position of `name:`.
@@ -118,5 +143,8 @@ mod tests {
         assert_eq!(line_of(TEXT, "container.low"), Some(10));
         assert_eq!(line_of(TEXT, "fluids[2].rest_density"), None);
         assert_eq!(line_of(TEXT, "density"), None);
+        let nested = "(\n scene: (\n  fluids: [\n   (time_step: 1),\n  ],\n  time_step: 2,\n ),\n)";
+        assert_eq!(line_of(nested, "time_step"), Some(6));
+        assert_eq!(line_of(nested, "fluids[0].time_step"), Some(4));
     }
 }

@@ -163,13 +163,33 @@ fn refusal(text: &str, origin: &Path, changes: &Changes, error: SceneError) -> F
     let field = message.split_whitespace().next().unwrap_or_default();
     let leaf =
         |path: &str| path.rsplit('.').next().unwrap_or_default().split('[').next().unwrap_or_default().to_owned();
-    let changed = |change: &&String| change.split('=').next().is_some_and(|path| leaf(path) == leaf(field));
-    if let Some(change) = changes.set.iter().find(changed) {
+    // what `--set` names by the end of its path is a part of the error's path, or the other half of a conflict
+    let path_of = |change: &str| indexed(change.split('=').next().unwrap_or_default());
+    let is_named = |change: &&String| {
+        let path = path_of(change);
+        field == path || field.ends_with(&format!(".{path}")) || path.ends_with(&format!(".{field}"))
+    };
+    let conflicts = |change: &&String| {
+        let is_part = |word: &str| word.trim_matches('.').rsplit('.').next() == Some(&leaf(&path_of(change)));
+        message.contains(" conflicts with ") && message.split([' ', ',', ':', ';']).any(is_part)
+    };
+    let changed = changes.set.iter().find(is_named).or_else(|| changes.set.iter().find(conflicts));
+    if let Some(change) = changed {
         return Failure::Scene { origin: format!("--set {change}"), error };
     }
     let line = line_of(text, field).or_else(|| line_of(text, &leaf(field)));
     let line = line.map_or(String::new(), |line| format!(":{line}"));
     Failure::Scene { origin: format!("{}{line}", origin.display()), error }
+}
+
+/// Returns a path as errors write it: items of lists in brackets, and the first fluid by its number.
+fn indexed(path: &str) -> String {
+    let path = path.strip_prefix("fluid.").map_or(path.to_owned(), |rest| format!("fluids.0.{rest}"));
+    path.split('.').fold(String::new(), |out, step| match step.parse::<usize>() {
+        Ok(item) => format!("{out}[{item}]"),
+        Err(_) if out.is_empty() => step.to_owned(),
+        Err(_) => format!("{out}.{step}"),
+    })
 }
 
 /// Returns `file` changed by the argument of a `--set`.
@@ -190,8 +210,7 @@ pub(crate) fn with(file: &SceneFile, field: &str, value: &str) -> Result<SceneFi
     let mut paths = Vec::new();
     collect_paths(&tree, "", &mut paths);
     // items of a list may be named as in RON, and `fluid` stands for the first fluid
-    let path = field.replace('[', ".").replace(']', "");
-    let path = path.strip_prefix("fluid.").map_or(path.clone(), |rest| format!("fluids.0.{rest}"));
+    let path = indexed(field).replace('[', ".").replace(']', "");
     let ending = format!("/{}", path.replace('.', "/"));
     let matches: Vec<&String> = paths.iter().filter(|path| path.ends_with(&ending)).collect();
     let shortest = matches.iter().map(|path| path.matches('/').count()).min();

@@ -1,4 +1,4 @@
-//! Promise: the interface of the program. The exit status is 0, 1, 2 or 3. With `--json` stdout is one document and
+//! Promise: the interface of the program. The exit status is 0, 1, 2, 3 or 4. With `--json` stdout is one document and
 //! nothing else, and it has the keys that other programs rely on. An error in the input names file, line and field, and
 //! nothing is written.
 use serde_json::Value;
@@ -239,6 +239,29 @@ fn a_map_goes_on_where_it_was_cut_off() {
     let fresh = outcomes(&millpond(folder.path(), &[&call[..], &["--fresh"]].concat()));
     assert_eq!(fresh, outcomes(&first));
     assert_eq!(fresh, ["stable", "unstable", "stable", "unstable"]);
+}
+
+#[test]
+fn a_result_that_cannot_be_written_ends_with_status_4() {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("file"), "no folder").expect("a file");
+    let output = millpond(folder.path(), &["run", "dam-break-2d", "--steps", "1", "--out", "file/out"]);
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(4), "{err}");
+    assert!(err.contains("cannot be written"), "{err}");
+}
+
+#[test]
+fn a_conflict_names_the_argument_that_makes_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (arguments, origin) in [
+        (["run", "stiff-tank", "--set", "integrator=Verlet"], "--set integrator=Verlet: adaptive conflicts"),
+        (["run", "two-fluids", "--set", "fluids.1.rest_density=-1"], "--set fluids.1.rest_density=-1: fluids[1]."),
+    ] {
+        let output = millpond(folder.path(), &arguments);
+        let err = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.code() == Some(2) && err.contains(origin), "{arguments:?}: {err}");
+    }
 }
 
 #[test]

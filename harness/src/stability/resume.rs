@@ -36,13 +36,13 @@ impl ResumeLog {
             _ => String::new(),
         };
         let open = OpenOptions::new().create(true).append(true).open(path);
-        let mut file = open.map_err(Failure::file(path))?;
+        let mut file = open.map_err(Failure::unwritten(path))?;
         if fresh {
-            file.set_len(0).map_err(Failure::file(path))?;
+            file.set_len(0).map_err(Failure::unwritten(path))?;
         }
         if !text.is_empty() && !text.ends_with('\n') {
             // a truncated last line is closed, so that the next line is complete
-            file.write_all(b"\n").map_err(Failure::file(path))?;
+            file.write_all(b"\n").map_err(Failure::unwritten(path))?;
         }
         Ok(ResumeLog { known: read(&text), file: Some((path.to_owned(), Mutex::new(file))) })
     }
@@ -62,7 +62,7 @@ impl ResumeLog {
         let line = line.map_err(|e| Failure::System(e.to_string()))? + "\n";
         // a thread that panicked with the lock held had written a line, or a part of one
         let mut file = file.lock().unwrap_or_else(PoisonError::into_inner);
-        file.write_all(line.as_bytes()).map_err(Failure::file(path))
+        file.write_all(line.as_bytes()).map_err(Failure::unwritten(path))
     }
 }
 
