@@ -62,8 +62,8 @@ impl Executor for Serial {
     }
 }
 
-/// An executor whose type is not known. Passes are written against it, and so they are compiled once, in this crate and optimised as
-/// this crate is, whichever executor a program brings.
+/// An executor whose type is not known. Passes are written against it, and so they are compiled once, in this crate and
+/// optimised as this crate is, whichever executor a program brings.
 pub(crate) trait AnyExecutor {
     /// Number of jobs that can run at once.
     fn width(&self) -> usize;

@@ -23,7 +23,7 @@ pub struct Common {
     #[command(flatten)]
     #[expect(missing_docs, reason = "its fields say it to the user")]
     pub changes: Changes,
-    /// Number of threads of the CPU backend (0: one per core)
+    /// Number of threads of the CPU backend (0: one per core; in `compare` two, in `error` one)
     #[arg(long, default_value_t = 0, value_name = "N")]
     pub threads: usize,
     /// Print one JSON document on stdout, and everything else on stderr

@@ -193,7 +193,7 @@ choice! {
     pub enum SurfaceTension {
         /// No surface tension.
         Off = tension::NO_TENSION => &[],
-        /// From the curvature of the colour, `-laplacian C / |n|` (Morris 1999; Mueller et al. 2003; Pirovano, eqs.
+        /// From the curvature of the colour, `-laplacian C / |n|` (Morris 2000; Mueller et al. 2003; Pirovano, eqs.
         /// 3.8 to 3.11). The coefficient is the tension in N/m where another fluid lies beyond the surface. At a
         /// surface to empty space half of the colour's profile is missing, and this curvature is of no use.
         Curvature = tension::CURVATURE =>

@@ -1,5 +1,5 @@
 //! Surface tension. It is computed either from the curvature of the surface, which follows from the colour of a fluid,
-//! 1 at its particles and 0 elsewhere (Morris 1999, 2000; Mueller et al. 2003; Pirovano, eqs. 3.8 to 3.11), or from
+//! 1 at its particles and 0 elsewhere (Morris 2000; Mueller et al. 2003; Pirovano, eqs. 3.8 to 3.11), or from
 //! pairwise forces between particles of one fluid (Becker and Teschner 2007; Hinsch 2024, section 6.4). A particle sees
 //! only the colour of its own fluid, so at the interface of two fluids each fluid has one half of the profile.
 use super::geometry::*;
