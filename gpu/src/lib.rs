@@ -19,13 +19,16 @@ pub mod text;
 
 mod advance;
 mod buffers;
+mod changes;
 mod functions;
 mod open;
 mod pass_times;
 mod pipelines;
+mod readback;
 
 pub use device::{Gpu, Mode};
 pub use error::GpuError;
 pub use float_controls::FloatControls;
-pub use solver::{GpuSolver, Readback};
+pub use readback::Readback;
+pub use solver::GpuSolver;
 pub use wgpu;

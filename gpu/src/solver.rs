@@ -1,22 +1,15 @@
 //! The solver on a GPU: steps a fluid on the device without reading its particles back.
-use crate::bindings::is_on_device;
 use crate::buffers::{Buffers, read};
 use crate::device::Gpu;
 use crate::error::GpuError;
 use crate::pass_times::PassClock;
 use crate::pipelines::{Dispatch, dispatches, record};
 use core::mem::offset_of;
-use millpond_core::backend::arithmetic::real::{div, vec3};
-use millpond_core::backend::hash::state_hash;
-use millpond_core::backend::layout::{Status, StepUniform, f32x4};
-use millpond_core::backend::live::{Change, LiveScene};
-use millpond_core::backend::plan::arrays::{Class, Side};
-use millpond_core::backend::save::{Record, saved_bytes, write};
-use millpond_core::backend::terms::integrate::history_rescaled;
+use millpond_core::backend::layout::{Status, StepUniform};
+use millpond_core::backend::live::LiveScene;
+use millpond_core::backend::plan::arrays::Side;
 use millpond_core::backend::{Pace, SteadyTime, verdict};
-use millpond_core::glam::Vec3;
-use millpond_core::scene::Wind;
-use millpond_core::{AirReport, Array, CorrectionReport, Pass, SceneError, Solver, TimeReport};
+use millpond_core::{AirReport, Array, CorrectionReport, Pass, Solver, TimeReport};
 
 /// Number of steps that are recorded before the status is read. A failed step is detected at most this many steps late.
 /// The device skips the steps recorded after it.
@@ -32,10 +25,10 @@ pub struct GpuSolver {
     pub(crate) gpu: Gpu,
     pub(crate) buffers: Buffers,
     dispatches: Vec<Dispatch>,
-    live: LiveScene,
+    pub(crate) live: LiveScene,
     pub(crate) uniform: StepUniform,
-    steady: SteadyTime,
-    fingerprint: u64,
+    pub(crate) steady: SteadyTime,
+    pub(crate) fingerprint: u64,
     first_step: u64,
     pub(crate) pace: Pace,
     /// Time up to which [`GpuSolver::advance`] was asked to advance the fluid, s.
@@ -44,50 +37,6 @@ pub struct GpuSolver {
     steps: u64,
     /// Number of steps recorded, including rejected attempts.
     attempts: u64,
-}
-
-/// A state that was read back: its arrays, in the slots of the device.
-#[derive(Clone, Debug)]
-pub struct Readback {
-    arrays: Vec<Vec<u32>>,
-}
-
-impl Readback {
-    /// An array of the state as words of four bytes; empty for an array that the scene does not need, or that is not
-    /// part of the state.
-    #[must_use]
-    pub fn words(&self, array: Array) -> &[u32] {
-        &self.arrays[array as usize]
-    }
-
-    /// An array of vectors.
-    fn vectors(&self, array: Array) -> &[f32x4] {
-        bytemuck::cast_slice(self.words(array))
-    }
-
-    /// Positions, m; the fourth number is the mass over the mass of a particle of the same fluid at rest.
-    #[must_use]
-    pub fn position(&self) -> &[f32x4] {
-        self.vectors(Array::position)
-    }
-
-    /// Velocities, m/s; the fourth number is the material.
-    #[must_use]
-    pub fn velocity(&self) -> &[f32x4] {
-        self.vectors(Array::velocity)
-    }
-
-    /// Slot of each particle in these arrays, by id.
-    #[must_use]
-    pub fn slots(&self) -> &[u32] {
-        self.words(Array::slot_of_id)
-    }
-
-    /// Hash of all positions and velocities. It equals that of [`Solver::hash`] if all bits are equal.
-    #[must_use]
-    pub fn hash(&self) -> u64 {
-        state_hash(self.slots(), self.position(), self.velocity())
-    }
 }
 
 impl GpuSolver {
@@ -203,7 +152,7 @@ impl GpuSolver {
     }
 
     /// Index of the state that is the fluid. The two states swap roles with each accepted step.
-    fn current(&self) -> usize {
+    pub(crate) fn current(&self) -> usize {
         (self.steps - self.first_step) as usize % 2
     }
 
@@ -221,135 +170,9 @@ impl GpuSolver {
         self.buffers.array(Array::velocity, Side::Old, self.current())
     }
 
-    /// Sets the acceleration field supplied by the caller, from the next step on, as [`Solver::set_field`] does.
-    ///
-    /// # Errors
-    /// [`SceneError::WrongLength`] if the scene has fewer or more nodes, [`SceneError::NotFinite`] for a value that is
-    /// not finite, and [`GpuError::BeforeFirstStep`] before the first step of the fluid. The field stays as it was.
-    pub fn set_field(&mut self, points: &[f32x4]) -> Result<(), GpuError> {
-        let (given, expected) = (points.len(), self.buffers.counts().field_nodes);
-        if given != expected {
-            return Err(SceneError::WrongLength { call: "set_field", what: "points", given, expected }.into());
-        }
-        if let Some(&value) = points.as_flattened().iter().find(|x| !x.is_finite()) {
-            return Err(SceneError::NotFinite { field: "acceleration_field", value }.into());
-        }
-        if expected > 0 {
-            self.has_begun("set_field")?;
-            let field = self.buffers.array(Array::acceleration_field, Side::Only, 0);
-            self.gpu.queue.write_buffer(field, 0, bytemuck::cast_slice(points));
-        }
-        Ok(())
-    }
-
-    /// Sets the acceleration of gravity, m/s2, from the next step on, as [`Solver::set_gravity`] does.
-    ///
-    /// # Errors
-    /// Those of [`Solver::set_gravity`]; also [`GpuError::BeforeFirstStep`] before the first step of the fluid: make
-    /// the change on the CPU solver instead. The fluid stays as it was.
-    pub fn set_gravity(&mut self, gravity: impl Into<Vec3>) -> Result<(), GpuError> {
-        self.change("set_gravity", Change::Gravity(gravity.into()))
-    }
-
-    /// Sets the wind from the next step on, as [`Solver::set_wind`] does.
-    ///
-    /// # Errors
-    /// Those of [`Solver::set_wind`] and [`GpuSolver::set_gravity`].
-    pub fn set_wind(&mut self, wind: Option<Wind>) -> Result<(), GpuError> {
-        self.change("set_wind", Change::Wind(wind))
-    }
-
-    /// Sets the time step, s, from the next step on, as [`Solver::set_time_step`] does.
-    ///
-    /// # Errors
-    /// Those of [`Solver::set_time_step`] and [`GpuSolver::set_gravity`].
-    pub fn set_time_step(&mut self, time_step: f32) -> Result<(), GpuError> {
-        self.change("set_time_step", Change::TimeStep(time_step))
-    }
-
-    /// Sets the dynamic viscosity, Pa s, of a fluid from the next step on, as [`Solver::set_viscosity`] does.
-    ///
-    /// # Errors
-    /// Those of [`Solver::set_viscosity`] and [`GpuSolver::set_gravity`].
-    pub fn set_viscosity(&mut self, fluid: u32, viscosity: f32) -> Result<(), GpuError> {
-        self.change("set_viscosity", Change::Viscosity(fluid, viscosity))
-    }
-
-    /// Sets the coefficient of surface tension of a fluid from the next step on, as [`Solver::set_surface_tension`]
-    /// does.
-    ///
-    /// # Errors
-    /// Those of [`Solver::set_surface_tension`] and [`GpuSolver::set_gravity`].
-    pub fn set_surface_tension(&mut self, fluid: u32, tension: f32) -> Result<(), GpuError> {
-        self.change("set_surface_tension", Change::SurfaceTension(fluid, tension))
-    }
-
-    /// Sets the speed of sound, m/s, of a fluid from the next step on, as [`Solver::set_speed_of_sound`] does.
-    ///
-    /// # Errors
-    /// Those of [`Solver::set_speed_of_sound`] and [`GpuSolver::set_gravity`].
-    pub fn set_speed_of_sound(&mut self, fluid: u32, speed: f32) -> Result<(), GpuError> {
-        self.change("set_speed_of_sound", Change::SpeedOfSound(fluid, speed))
-    }
-
-    /// Sets the constant B of Tait's equation, Pa, of a fluid from the next step on, as [`Solver::set_stiffness`] does.
-    ///
-    /// # Errors
-    /// Those of [`Solver::set_stiffness`] and [`GpuSolver::set_gravity`].
-    pub fn set_stiffness(&mut self, fluid: u32, stiffness: f32) -> Result<(), GpuError> {
-        self.change("set_stiffness", Change::Stiffness(fluid, stiffness))
-    }
-
     /// Returns whether the length of time steps may change.
     pub(crate) fn is_adaptive(&self) -> bool {
         self.buffers.model().is_adaptive == 1
-    }
-
-    /// Rejects a call before the first step. That step begins with accelerations that the CPU evaluated, so the change
-    /// must be made on the CPU solver.
-    fn has_begun(&self, call: &'static str) -> Result<(), GpuError> {
-        if self.steps == 0 { Err(GpuError::BeforeFirstStep { call }) } else { Ok(()) }
-    }
-
-    fn change(&mut self, call: &'static str, change: Change) -> Result<(), GpuError> {
-        let (live, next) = self.live.changed(change)?;
-        self.has_begun(call)?;
-        let mut uniform = next.step;
-        if matches!(change, Change::TimeStep(_)) {
-            let times = div(uniform.time_step, self.uniform.time_step);
-            self.rescale_history(times)?;
-            self.steady = self.steady.changed(self.steps, self.uniform.time_step);
-        } else {
-            let StepUniform { gravity, wind, .. } = next.step;
-            uniform = StepUniform { gravity, wind, ..self.uniform };
-        }
-        self.live = live;
-        self.uniform = uniform;
-        let Buffers { parameters, materials, step, .. } = &self.buffers;
-        let queue = &self.gpu.queue;
-        queue.write_buffer(parameters, 0, bytemuck::bytes_of(&next.parameters));
-        queue.write_buffer(materials, 0, bytemuck::bytes_of(&next.materials));
-        // with steps of changing length, the device itself writes the time step
-        let bytes = bytemuck::bytes_of(&uniform);
-        let fixed = if self.is_adaptive() { offset_of!(StepUniform, time_step) } else { size_of::<StepUniform>() };
-        queue.write_buffer(step, 0, &bytes[..fixed]);
-        Ok(())
-    }
-
-    /// Rescales the history of the integrator for a time step that is `times` as long as the last one.
-    fn rescale_history(&self, times: f32) -> Result<(), GpuError> {
-        let words = self.buffers.words(Array::history);
-        if words == 0 {
-            return Ok(());
-        }
-        let buffer = self.buffers.array(Array::history, Side::Old, self.current());
-        let mut history: Vec<f32x4> = read(&self.gpu, buffer, words / 4)?;
-        for entry in &mut history {
-            let vec3 { x, y, z } = history_rescaled::<f32>(self.buffers.model(), vec3::splat(*entry), times);
-            *entry = [x, y, z, 0.0];
-        }
-        self.gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(&history));
-        Ok(())
     }
 
     /// Result of the pressure correction; all zero with an equation of state. It waits for the device.
@@ -407,52 +230,6 @@ impl GpuSolver {
     pub fn status(&self) -> Result<Status, GpuError> {
         let status: Vec<Status> = read(&self.gpu, &self.buffers.head, 1)?;
         status.first().copied().ok_or_else(inconsistent_status)
-    }
-
-    /// Reads all arrays of the current state back. It waits for the device.
-    ///
-    /// # Errors
-    /// [`GpuError::Device`] if the device fails.
-    pub fn read(&self) -> Result<Readback, GpuError> {
-        let model = self.buffers.model();
-        let is_read = |array: Array| matches!(array.class(), Class::State | Class::Index) && array.exists(model);
-        let words = |&array: &Array| {
-            if !is_read(array) {
-                return Ok(Vec::new());
-            }
-            let buffer = self.buffers.array(array, Side::Old, self.current());
-            read(&self.gpu, buffer, self.buffers.words(array))
-        };
-        Ok(Readback { arrays: Array::ALL.iter().map(words).collect::<Result<Vec<_>, _>>()? })
-    }
-
-    /// Writes the fluid as bytes, from which a CPU solver of the same scene can continue ([`Solver::restore`]), and
-    /// from that solver a GPU. In strict mode they are the bytes that the CPU would have saved after the same steps.
-    ///
-    /// # Errors
-    /// [`GpuError::Device`] if the device fails.
-    pub fn save(&self) -> Result<Vec<u8>, GpuError> {
-        let state = self.read()?;
-        let status = self.status()?;
-        let time_step = if self.is_adaptive() { status.time_step } else { self.uniform.time_step };
-        let record = Record::of_status(&status, self.steady, self.due, time_step, &self.live);
-        let mut given = Vec::new();
-        for array in Array::ALL.iter().copied().filter(|array| array.class() == Class::Given && is_on_device(*array)) {
-            let there = array.exists(self.buffers.model());
-            let words = if there { self.buffers.words(array) } else { 0 };
-            let words: Vec<u32> =
-                if words == 0 { Vec::new() } else { read(&self.gpu, self.buffers.array(array, Side::Only, 0), words)? };
-            given.push((array, words));
-        }
-        let words = |array: Array| {
-            let known = given.iter().find(|(given, _)| *given == array);
-            known.map_or_else(|| state.words(array), |(_, words)| words.as_slice())
-        };
-        let requirements = self.buffers.requirements();
-        let mut bytes = vec![0; saved_bytes(requirements)];
-        let key = (requirements, self.fingerprint);
-        write(key, &record, state.slots(), words, &mut bytes).map_err(|error| GpuError::Device(error.to_string()))?;
-        Ok(bytes)
     }
 
     /// Number of accepted steps, including those of the CPU solver from which it was created.
