@@ -28,7 +28,7 @@ const LANDED: f64 = 1e-6;
 
 /// A bound that is computed from the largest growth keeps this distance from the exact comparison, so that rounding
 /// cannot make them differ.
-const SAFETY: f64 = 1.0 + 1e-9;
+const SAFETY: f64 = 1.0 + 1e-6;
 
 /// A fluid whose steps are counted out.
 pub trait Paced {
@@ -60,7 +60,7 @@ pub trait Paced {
 /// How the lengths of steps can change.
 #[derive(Clone, Copy, Debug)]
 pub struct Pace {
-    is_adaptive: bool,
+    changes: bool,
     growth: f64,
     longest: f64,
 }
@@ -70,7 +70,7 @@ impl Pace {
     #[must_use]
     pub fn of(m: &Model, p: &Parameters) -> Pace {
         Pace {
-            is_adaptive: m.is_adaptive == 1,
+            changes: m.has_changing_step == 1,
             growth: f64::from(p.max_time_step_growth),
             longest: f64::from(p.largest_time_step),
         }
@@ -79,7 +79,7 @@ impl Pace {
     /// Steps that certainly fit after one that fits, while `left` of the time, s, is at least `margin` times the next
     /// step, `step`.
     fn further(self, left: f64, step: f64, margin: f64, most: u32) -> u32 {
-        if !self.is_adaptive {
+        if !self.changes {
             let fits = libm::floor(left / step - margin * SAFETY);
             return (fits.clamp(0.0, f64::from(u32::MAX)) as u32).min(most);
         }
@@ -108,8 +108,8 @@ pub fn advance<F: Paced>(fluid: &mut F, seconds: f64, most: u32) -> Result<Advan
     let (pace, mut now) = (fluid.pace(), fluid.clock()?);
     // steps that were made by other calls count as asked for
     let was_due = *fluid.due();
-    let is_behind = was_due < now.time - EARLY * f64::from(now.next);
-    let due = seconds + if is_behind { now.time } else { was_due };
+    let is_ahead = was_due.is_finite() && was_due >= now.time - EARLY * f64::from(now.next);
+    let due = seconds + if is_ahead { was_due } else { now.time };
     let mut steps = 0;
     while steps < most {
         let (left, next) = (due - now.time, f64::from(now.next));
@@ -126,7 +126,10 @@ pub fn advance<F: Paced>(fluid: &mut F, seconds: f64, most: u32) -> Result<Advan
         now = fluid.clock()?;
     }
     let (left, next) = (due - now.time, f64::from(now.next));
-    let dropped = if left < next * margin { 0.0 } else { libm::floor(left / next + EARLY) * next };
+    // whole steps, of which one may come early
+    let rest = libm::fmod(left, next);
+    let rest = if rest < next * margin { rest } else { rest - next };
+    let dropped = if left < next * margin { 0.0 } else { left - rest };
     *fluid.due() = due - dropped;
     Ok(Advance { steps, remainder: left - dropped, dropped })
 }
@@ -144,26 +147,39 @@ pub fn step_until<F: Paced>(fluid: &mut F, time: f64, most: u32) -> Result<Advan
     let mut steps = 0;
     while steps < most {
         let (left, next) = (time - now.time, f64::from(now.next));
-        let mut count = 1;
-        if !pace.is_adaptive {
+        if !pace.changes {
             if left < next * (1.0 - EARLY) {
                 break;
             }
-            count += pace.further(left, next, 1.0 - EARLY, most - steps - 1);
-        } else if left <= next * LANDED {
-            break;
-        } else if left < 2.0 * next {
+            let count = 1 + pace.further(left, next, 1.0 - EARLY, most - steps - 1);
+            fluid.make(count)?;
+            steps += count;
+        } else if left >= 2.0 * next {
+            let count = 1 + pace.further(left, next, 2.0, most - steps - 1);
+            fluid.make(count)?;
+            steps += count;
+        } else if left > next * LANDED {
             // the last one or two steps are shortened, so that neither is tiny
             let shorter = if left <= next { left } else { 0.5 * left };
             fluid.set_next(shorter as f32);
+            let made = fluid.make(1);
+            if made.is_err() {
+                fluid.set_next(now.next);
+            }
+            made?;
+            steps += 1;
+            let after = fluid.clock()?;
+            // the step after it need not grow from a shortened one, unless it had to be shorter still
+            if (after.rejected_steps, after.halvings) == (now.rejected_steps, now.halvings) {
+                fluid.set_next(after.next.max(now.next.min(after.wanted)));
+                if left <= next {
+                    now = after;
+                    break;
+                }
+            }
         } else {
-            count += pace.further(left, next, 2.0, most - steps - 1);
+            break;
         }
-        if let Err(error) = fluid.make(count) {
-            fluid.set_next(now.next);
-            return Err(error);
-        }
-        steps += count;
         now = fluid.clock()?;
     }
     *fluid.due() = now.time;
@@ -206,8 +222,8 @@ impl Solver<'_> {
     ///
     /// This is the call for a game loop: once a frame, with the length of the frame. Time that is shorter than a step
     /// is carried into the next call, so that simulated time keeps up with the time asked for. Time beyond `most_steps`
-    /// is dropped, and the answer says how much. Any time step is made in full: it follows from the scene, and never
-    /// from the frame rate.
+    /// is dropped, and the answer says how much. The length of a step follows from the scene, and never from the frame
+    /// rate.
     ///
     /// ```
     /// use millpond_core::glam::Vec3;
@@ -236,9 +252,10 @@ impl Solver<'_> {
 
     /// Steps the fluid up to a point in simulated time, s, in at most `most_steps`.
     ///
-    /// With adaptive time steps the last one or two steps are shortened, so that the clock shows that time to one part
-    /// in 10^6 of a step. With a fixed time step the fluid stops at the last whole step before it, and the remainder
-    /// says how far it is.
+    /// If the time step can change ([`Scene::adaptive`](crate::scene::Scene::adaptive) or
+    /// [`Recovery::ShortenStep`](crate::scene::Recovery)), the last one or two steps are shortened, so that the clock
+    /// shows that time to one part in 10^6 of a step, and the step after them has its usual length again. Otherwise the
+    /// fluid stops at the last whole step before that time, and the remainder says how far away it is.
     ///
     /// # Errors
     /// [`StepError::InvalidTime`] for a time that has passed or is not finite. Any other [`StepError`] where a step

@@ -24,7 +24,7 @@ pub struct TimeReport {
     /// Number of steps that should have been shorter than the shortest time step allowed.
     pub clamped_steps: u32,
     /// Number of times that a step was halved because it could not be made ([`Recovery`](crate::scene::Recovery)).
-    pub shortened_steps: u32,
+    pub halvings: u32,
 }
 
 /// The clock of a solver. It stores time as two numbers, `time` and the sum of its rounding errors, `lost`.
@@ -36,14 +36,14 @@ pub(crate) struct Clock {
     wanted: f32,
     rejected_steps: u32,
     clamped_steps: u32,
-    shortened_steps: u32,
+    halvings: u32,
 }
 
 impl Clock {
     /// Returns the clock before the first step, and sets the first time step in `u`: that of the scene, or a shorter
     /// one if the state at the start needs it.
     pub(crate) fn start(m: &Model, p: &Parameters, u: &mut StepUniform, maxima: Maxima) -> Clock {
-        if m.is_adaptive == 0 {
+        if m.has_changing_step == 0 {
             return Clock { last: u.time_step, wanted: u.time_step, ..Clock::default() };
         }
         let wanted = wanted(p, maxima);
@@ -57,7 +57,7 @@ impl Clock {
     pub(crate) fn after(&mut self, m: &Model, p: &Parameters, u: &mut StepUniform, maxima: Maxima) -> bool {
         let step = u.time_step;
         let mut wanted = step;
-        if m.is_adaptive == 1 {
+        if m.has_changing_step == 1 {
             wanted = self::wanted(p, maxima);
             let again = is_overlong::<f32>(p, wanted, step) > 0.0;
             self.rejected_steps = self.rejected_steps.wrapping_add(u32::from(again));
@@ -69,29 +69,29 @@ impl Clock {
         }
         (self.last, self.wanted) = (step, wanted);
         u.step = u.step.wrapping_add(1);
-        let time = clock_after::<f32>(self.time, step);
+        let time = clock_after::<f32>(self.time, self.lost, step);
         (self.time, self.lost) = (time, clock_lost::<f32>(self.time, self.lost, step, time));
         true
     }
 
     /// Counts how many times an accepted step was halved.
     pub(crate) fn shortened(&mut self, times: u32) {
-        self.shortened_steps = self.shortened_steps.wrapping_add(times);
+        self.halvings = self.halvings.wrapping_add(times);
     }
 
     /// Returns the clock as it is saved: the two numbers of the time, the last time step and the longest one that the
     /// criteria allowed; then the counts of rejected, clamped and shortened steps.
     pub(crate) fn to_record(self) -> ([f32; 4], [u32; 3]) {
-        let counts = [self.rejected_steps, self.clamped_steps, self.shortened_steps];
+        let counts = [self.rejected_steps, self.clamped_steps, self.halvings];
         ([self.time, self.lost, self.last, self.wanted], counts)
     }
 
     /// Returns the clock that was saved.
     pub(crate) fn of_record(
         [time, lost, last, wanted]: [f32; 4],
-        [rejected_steps, clamped_steps, shortened_steps]: [u32; 3],
+        [rejected_steps, clamped_steps, halvings]: [u32; 3],
     ) -> Clock {
-        Clock { time, lost, last, wanted, rejected_steps, clamped_steps, shortened_steps }
+        Clock { time, lost, last, wanted, rejected_steps, clamped_steps, halvings }
     }
 
     pub(crate) fn report(&self, u: &StepUniform) -> TimeReport {
@@ -102,7 +102,7 @@ impl Clock {
             next: u.time_step,
             rejected_steps: self.rejected_steps,
             clamped_steps: self.clamped_steps,
-            shortened_steps: self.shortened_steps,
+            halvings: self.halvings,
         }
     }
 
@@ -111,7 +111,7 @@ impl Clock {
         (status.clock, status.clock_lost) = (self.time, self.lost);
         (status.last_time_step, status.last_wanted) = (self.last, self.wanted);
         (status.rejected_steps, status.clamped_steps) = (self.rejected_steps, self.clamped_steps);
-        status.shortened_steps = self.shortened_steps;
+        status.halvings = self.halvings;
         (status.time_step, status.half_time_step) = (u.time_step, u.half_time_step);
         status.first_time_step = u.time_step;
         status.inverse_time_step = u.inverse_time_step;
@@ -129,7 +129,7 @@ impl TimeReport {
             next: status.time_step,
             rejected_steps: status.rejected_steps,
             clamped_steps: status.clamped_steps,
-            shortened_steps: status.shortened_steps,
+            halvings: status.halvings,
         }
     }
 }

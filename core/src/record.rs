@@ -31,7 +31,8 @@ pub struct Record {
     pub clock: [f32; 4],
     /// The next time step, s.
     pub time_step: f32,
-    /// Number of rejected steps, and of steps that should have been shorter than the shortest time step allowed.
+    /// Number of rejected steps, of steps that should have been shorter than the shortest time step allowed, and of
+    /// halvings.
     pub counts: [u32; 3],
     /// Result of the pressure correction.
     pub correction: CorrectionReport,
@@ -54,7 +55,7 @@ impl Record {
             due,
             clock: [status.clock, status.clock_lost, status.last_time_step, status.last_wanted],
             time_step,
-            counts: [status.rejected_steps, status.clamped_steps, status.shortened_steps],
+            counts: [status.rejected_steps, status.clamped_steps, status.halvings],
             correction: CorrectionReport {
                 iterations: status.last_iterations,
                 total_iterations: u64::from(status.total_iterations),
@@ -74,10 +75,9 @@ impl Record {
         wide(self.air_refused);
         self.clock.iter().for_each(|x| word(x.to_bits()));
         word(self.time_step.to_bits());
-        self.counts[..2].iter().for_each(|&count| word(count));
+        self.counts.into_iter().for_each(&mut word);
         word(self.correction.iterations);
         word(self.correction.residual.to_bits());
-        word(self.counts[2]);
         let due = self.due.to_bits();
         [due as u32, (due >> 32) as u32].into_iter().for_each(&mut word);
         self.live.to_words().into_iter().for_each(&mut word);
@@ -92,8 +92,8 @@ impl Record {
             steady: SteadyTime { since: wide(2), at: f64::from_bits(wide(4)) },
             clock: [float(10), float(11), float(12), float(13)],
             time_step: float(14),
-            counts: [at(15), at(16), at(19)],
-            correction: CorrectionReport { iterations: at(17), total_iterations: wide(6), residual: float(18) },
+            counts: [at(15), at(16), at(17)],
+            correction: CorrectionReport { iterations: at(18), total_iterations: wide(6), residual: float(19) },
             air_refused: wide(8),
             due: f64::from_bits(wide(20)),
             live: LiveValues::of_words(words.get(22..).unwrap_or_default()),

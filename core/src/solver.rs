@@ -171,7 +171,7 @@ impl<'m> Solver<'m> {
         let (mut rejected, mut shortened) = (0, 0);
         while rejected < MOST_ATTEMPTS {
             let found = match self.attempt(executor, &model, &constants, None, &schedule, begins) {
-                Err(_) if shortened < model.most_shortenings => {
+                Err(_) if shortened < model.most_halvings => {
                     shortened += 1;
                     constants.step = constants.step.with_time_step(step_half::<f32>(constants.step.time_step));
                     continue;
@@ -348,7 +348,7 @@ impl<'m> Solver<'m> {
     /// Simulated time, s.
     #[must_use]
     pub fn time(&self) -> f64 {
-        if self.plan.model.is_adaptive == 1 {
+        if self.plan.model.has_changing_step == 1 {
             return self.clock.report(&self.constants.step).time;
         }
         self.steady.after(self.steps, self.constants.step.time_step)

@@ -22,16 +22,16 @@ fn a_step_that_fails_is_made_with_half_of_its_length() {
     solver.step(&Serial).expect("a shorter step");
     let clock = solver.time_report();
     assert_eq!(
-        (clock.shortened_steps, clock.time_step, clock.next),
+        (clock.halvings, clock.time_step, clock.next),
         (1, 1e-3, 2e-3),
         "the next one has its full length again"
     );
     assert_eq!(solver.time(), f64::from(1e-3f32));
     solver.step(&Serial).expect("a much shorter step");
     // full steps cover 1.5 of the range: the first half of one 0.75 of it, then an eighth fits, then a 32nd
-    assert_eq!(solver.time_report().shortened_steps, 1 + 3);
+    assert_eq!(solver.time_report().halvings, 1 + 3);
     solver.step(&Serial).expect("the shortest step that there is");
-    assert_eq!(solver.time_report().shortened_steps, 1 + 3 + 5);
+    assert_eq!(solver.time_report().halvings, 1 + 3 + 5);
     let before = (solver.full_hash(), solver.time_report());
     let refused = solver.step(&Serial).expect_err("a 64th would fit");
     assert!(matches!(refused, StepError::OutOfRange { .. }), "{refused}");

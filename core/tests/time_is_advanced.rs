@@ -1,14 +1,17 @@
-//! Promise: `advance` makes the steps that fit into the requested time and carries the remainder over to the next call.
-//! It drops time for which the caller allows no steps, and reports how much. `step_until` ends at the requested time.
-//! Neither makes a step that `step` would not make.
+//! Promise: `advance` makes the steps that fit into the time asked for, and only steps that `step` would make. It carries the
+//! rest into the next call, and drops the time for which the caller allows no steps, saying so. `step_until` shortens the
+//! last one or two steps to land on a time, where steps can change, and then goes on as before. The clock goes on
+//! however long the fluid has run.
 //!
 //! `gpu/tests/time_is_advanced.rs` checks that a device makes the same steps.
-use millpond_core::scene::Scene;
+use millpond_core::backend::terms::time_step::{clock_after, clock_lost};
+use millpond_core::glam::Vec3;
+use millpond_core::scene::{AdaptiveTimeStep, Recovery, Scene};
 use millpond_core::{OwnedMemory, Serial, Solver, StepError};
 
 mod support;
 use support::dam_break_2d;
-use support::falling::{falling, impact};
+use support::falling::{falling, impact, leaving};
 
 fn with_solver<R>(scene: &Scene, run: impl FnOnce(&mut Solver<'_>) -> R) -> R {
     let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
@@ -88,7 +91,7 @@ fn a_time_is_landed_on() {
             let advance = solver.step_until(time, 1000, &Serial).expect("steps");
             let step = f64::from(solver.time_report().time_step);
             assert!((solver.time() - time).abs() <= 1e-6 * step, "{time} s: {advance:?}");
-            assert!(advance.steps > 0 && solver.steps() > 0);
+            assert!(advance.steps > 0);
             assert_eq!(solver.step_until(time, 1000, &Serial).expect("it is there").steps, 0);
         }
     });
@@ -100,6 +103,71 @@ fn a_time_is_landed_on() {
         assert_eq!(advance.steps, 7);
         assert!((advance.remainder - 0.5 * dt).abs() < 1e-9, "{advance:?}");
         assert_eq!(solver.full_hash(), hash_after(&scene, 7));
+    });
+}
+
+#[test]
+fn a_fluid_lands_on_every_frame_of_a_long_run_with_as_few_steps() {
+    // nothing moves, so that every step is as long as it may be
+    for is_adaptive in [true, false] {
+        let mut scene = falling();
+        scene.gravity = Vec3::ZERO;
+        scene.blocks[0].velocity = Vec3::ZERO;
+        scene.blocks[0].size = Vec3::new(0.025, 0.025, 0.0);
+        scene.time_step = 5e-4;
+        if is_adaptive {
+            let none = AdaptiveTimeStep {
+                speed: Some(0.15),
+                sound: None,
+                acceleration: None,
+                viscosity: None,
+                ..AdaptiveTimeStep::default()
+            };
+            scene.adaptive = Some(AdaptiveTimeStep { largest: 5e-4, ..none });
+        } else {
+            (scene.adaptive, scene.recovery) = (None, Recovery::ShortenStep { times: 3 });
+        }
+        with_solver(&scene, |solver| {
+            for frame in 1..=1800 {
+                let time = f64::from(frame) / 60.0;
+                let advance = solver.step_until(time, 1000, &Serial).expect("steps");
+                assert!((solver.time() - time).abs() <= 1e-9, "{time} s: {advance:?}");
+                // 33.3 steps: 32 of full length and two shortened ones
+                assert!((33..=36).contains(&advance.steps), "{time} s: {advance:?}");
+            }
+        });
+    }
+}
+
+#[test]
+fn the_clock_goes_on_where_a_step_is_less_than_its_last_digit() {
+    // an f32 cannot tell 512 s from 512 s and 1e-5 s
+    let (step, steps, mut clock, mut lost) = (1e-5f32, 200_000, 512f32, 0f32);
+    assert_eq!(clock + step, clock);
+    for _ in 0..steps {
+        let after = clock_after::<f32>(clock, lost, step);
+        (clock, lost) = (after, clock_lost::<f32>(clock, lost, step, after));
+    }
+    let time = f64::from(clock) + f64::from(lost);
+    // the second number is rounded once a step, and is at most half of the last digit of 512, 2^-15
+    let rounding = f64::from(steps) * 2f64.powi(-15 - 25);
+    assert!((time - 512.0 - f64::from(steps) * f64::from(step)).abs() <= rounding, "{time} s");
+}
+
+#[test]
+fn a_step_that_is_refused_on_the_way_leaves_the_next_one_as_it_was() {
+    let mut scene = leaving();
+    // so lenient a criterion that the first step is as long as the scene says
+    let criteria = AdaptiveTimeStep { acceleration: None, sound: None, viscosity: None, ..AdaptiveTimeStep::default() };
+    scene.adaptive = Some(AdaptiveTimeStep { speed: Some(1e8), ..criteria });
+    with_solver(&scene, |solver| {
+        let before = (solver.full_hash(), solver.time_report());
+        assert_eq!(before.1.next, scene.time_step);
+        solver.step_until(1.0, 100, &Serial).expect_err("it leaves the range");
+        assert_eq!((solver.full_hash(), solver.time_report()), before);
+        // nor does one that was shortened to land
+        solver.step_until(1.9e-3, 100, &Serial).expect_err("it leaves the range");
+        assert_eq!((solver.full_hash(), solver.time_report()), before);
     });
 }
 

@@ -15,7 +15,7 @@ impl Paced for GpuSolver {
 
     fn clock(&mut self) -> Result<TimeReport, GpuError> {
         // only an adaptive time step is determined on the device, where reading it takes time
-        if self.is_adaptive() { self.time_report() } else { Ok(self.steady_report()) }
+        if self.has_changing_step() { self.time_report() } else { Ok(self.steady_report()) }
     }
 
     fn pace(&self) -> Pace {
@@ -28,7 +28,8 @@ impl Paced for GpuSolver {
 
     fn set_next(&mut self, step: f32) {
         let StepUniform { time_step, half_time_step, inverse_time_step, .. } = self.uniform.with_time_step(step);
-        let numbers = [time_step, half_time_step, inverse_time_step];
+        // the fourth is the step to return to if the next one cannot be made
+        let numbers = [time_step, half_time_step, inverse_time_step, time_step];
         let at = offset_of!(Status, time_step) as u64;
         self.gpu.queue.write_buffer(&self.buffers.head, at, bytemuck::cast_slice(&numbers));
     }

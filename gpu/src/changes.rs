@@ -126,7 +126,8 @@ impl GpuSolver {
         queue.write_buffer(materials, 0, bytemuck::bytes_of(&next.materials));
         // with steps of changing length, the device itself writes the time step
         let bytes = bytemuck::bytes_of(&uniform);
-        let fixed = if self.is_adaptive() { offset_of!(StepUniform, time_step) } else { size_of::<StepUniform>() };
+        let fixed =
+            if self.has_changing_step() { offset_of!(StepUniform, time_step) } else { size_of::<StepUniform>() };
         queue.write_buffer(step, 0, &bytes[..fixed]);
         Ok(())
     }

@@ -81,7 +81,7 @@ impl GpuSolver {
     pub fn save(&self) -> Result<Vec<u8>, GpuError> {
         let state = self.read()?;
         let status = self.status()?;
-        let time_step = if self.is_adaptive() { status.time_step } else { self.uniform.time_step };
+        let time_step = if self.has_changing_step() { status.time_step } else { self.uniform.time_step };
         let record = Record::of_status(&status, self.steady, self.due, time_step, &self.live);
         let mut given = Vec::new();
         for array in Array::ALL.iter().copied().filter(|array| array.class() == Class::Given && is_on_device(*array)) {

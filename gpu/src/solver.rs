@@ -145,7 +145,7 @@ impl GpuSolver {
             encoder.copy_buffer_to_buffer(head, from as u64, step, to as u64, Some(bytes));
         };
         copy(offset_of!(Status, steps), offset_of!(StepUniform, step), 1);
-        if self.is_adaptive() {
+        if self.has_changing_step() {
             copy(offset_of!(Status, time_step), offset_of!(StepUniform, time_step), 3);
         }
         record(&self.dispatches, encoder, old, clock);
@@ -171,8 +171,8 @@ impl GpuSolver {
     }
 
     /// Returns whether the length of time steps may change.
-    pub(crate) fn is_adaptive(&self) -> bool {
-        self.buffers.model().is_adaptive == 1
+    pub(crate) fn has_changing_step(&self) -> bool {
+        self.buffers.model().has_changing_step == 1
     }
 
     /// Result of the pressure correction; all zero with an equation of state. It waits for the device.
@@ -194,7 +194,7 @@ impl GpuSolver {
     /// [`GpuError::Device`] if the device fails.
     pub fn time_report(&self) -> Result<TimeReport, GpuError> {
         let report = TimeReport::of(&self.status()?);
-        Ok(if self.is_adaptive() {
+        Ok(if self.has_changing_step() {
             report
         } else {
             TimeReport { wanted: report.wanted, time_step: report.time_step, ..self.steady_report() }

@@ -142,7 +142,7 @@ pub fn run(
             last: f64::from(clock.time_step),
             rejected_steps: clock.rejected_steps,
             clamped_steps: clock.clamped_steps,
-            shortened_steps: clock.shortened_steps,
+            halvings: clock.halvings,
         },
         courant: last_summary.courant.into(),
         density_error: last_summary.density_error.into(),

@@ -110,7 +110,8 @@ pub(super) fn parameters(
         speed_limit_length: limits.speed,
         acceleration_limit_length: limits.acceleration,
         sound_limit_length: limits.sound,
-        viscous_time_step: limits.viscosity,
+        // without criteria a step is as long as the scene says
+        viscous_time_step: if scene.adaptive.is_some() { limits.viscosity } else { scene.time_step },
         smallest_time_step: adaptive.smallest,
         largest_time_step: adaptive.largest,
         max_time_step_growth: adaptive.max_growth,

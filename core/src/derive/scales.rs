@@ -43,7 +43,7 @@ pub fn average_neighbours(scene: &Scene) -> f32 {
 }
 
 /// Average number of particles inside a support radius of `2 h`, where `ratio` is h over the particle spacing.
-fn neighbours_within(dimension: Dimension, ratio: f32) -> f32 {
+pub(crate) fn neighbours_within(dimension: Dimension, ratio: f32) -> f32 {
     let spacings = 2.0 * f64::from(ratio);
     (match dimension {
         Dimension::Two => PI * spacings * spacings,

@@ -77,10 +77,10 @@ shared! {
         pub integrator: u32,
         /// 1: forces are evaluated a second time, with the predicted velocities at the end of the step.
         pub is_reevaluated: u32,
-        /// 1: the time step is adaptive.
-        pub is_adaptive: u32,
+        /// 1: the time step can change, because it is adaptive or because a step that cannot be made is shortened.
+        pub has_changing_step: u32,
         /// How many times a step that cannot be made is halved before it is refused.
-        pub most_shortenings: u32,
+        pub most_halvings: u32,
         /// 1 in 3D, 0 in 2D: how many layers of cells the stencil spans on either side along z.
         pub is_3d: u32,
         /// Number of places per cell in the cell lists; 0 with the index sort.

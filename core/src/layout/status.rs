@@ -67,9 +67,9 @@ shared! {
         /// Accepted steps that should have been shorter than the shortest time step allowed.
         pub clamped_steps: u32,
         /// Number of times that the current step was halved because it could not be made.
-        pub shortenings: u32,
+        pub halvings_of_step: u32,
         /// Number of halvings of all accepted steps.
-        pub shortened_steps: u32,
+        pub halvings: u32,
         /// The next time step, s. This field and the next two are copied into the step's uniform before the step.
         pub time_step: f32,
         /// Half of the next time step, s.

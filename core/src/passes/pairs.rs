@@ -33,9 +33,7 @@ pub(crate) use cells;
 
 /// A pass that computes one entry per particle from a sum over its neighbours.
 pub(crate) trait PairPass: Sync + Sized {
-    /// Runs a job, by one of the functions in `by_model`. Each pass writes this function out, so that its loop is
-    /// compiled once, in this crate. Generic code would be compiled again in every program that supplies its own
-    /// executor.
+    /// Runs a job, by one of the functions in `by_model`: a pass chooses for which kinds of scene its loop is compiled.
     fn work(job: &mut Job<'_, Self>);
 
     /// Fills the entries of a group. Returns a number of which [`run`] takes the maximum, or 0 if the pass has none.

@@ -88,7 +88,7 @@ impl Plan {
                 add(&["penalty_walls"], m.has_container == 1);
             }
             Pass::Measure => add(&["bounded_square", "bounded_sound"], true),
-            Pass::Commit => add(&["step_wanted", "step_limited", "clock_after"], m.is_adaptive == 1),
+            Pass::Commit => add(&["step_wanted", "step_limited", "clock_after"], m.has_changing_step == 1),
             Pass::Xsph => add(&["xsph_neighbour"], true),
             _ => {}
         }
@@ -130,7 +130,7 @@ impl Plan {
             (m.has_xsph == 0, "XSPH", "model.xsph is 0"),
             (!integrate::has_history(m), "integrator history", "model.integrator needs nothing of previous steps"),
             (m.is_reevaluated == 0, "second force evaluation", "model.reevaluate is off"),
-            (m.is_adaptive == 0, "adaptive time step", "adaptive is not set"),
+            (m.has_changing_step == 0, "changing time step", "adaptive is not set, and recovery is Refuse"),
             (!m.reads_tables(), "kernel tables", "model.evaluation is Direct"),
             (
                 choice.pressure_solver != PressureSolver::PressureCorrection,

@@ -141,8 +141,8 @@ impl Plan {
                 is_3d: u32::from(scene.dimension == Dimension::Three),
                 integrator: choice.integrator as u32,
                 is_reevaluated: u32::from(choice.reevaluate),
-                is_adaptive: u32::from(scene.changing_step().is_some()),
-                most_shortenings: scene.recovery.times(),
+                has_changing_step: u32::from(scene.changing_step().is_some()),
+                most_halvings: scene.recovery.times(),
                 cell_places: match scene.grid.structure {
                     GridStructure::IndexSort => 0,
                     GridStructure::CellLists { places } => places,

@@ -114,7 +114,7 @@ macro_rules! with_passes {
             /// Checks that an array of the new state is finite; runs once for each array.
             Validate: g_finish / validate, particles, counts, if |_| true, [read id@new];
             /// Finds the maxima that determine the next time step (with adaptive steps).
-            Measure: g_finish / measure, particles, counts, if |m| m.is_adaptive == 1, [
+            Measure: g_finish / measure, particles, counts, if |m| m.has_changing_step == 1, [
                 read velocity@new, read acceleration@new, read density_pressure@new];
             /// Accepts the step, or reports why it failed.
             Commit: g_finish / commit, group, counts, if |_| true, [];

@@ -9,10 +9,11 @@ pub enum Recovery {
     /// deterministic, the same step is refused again until something is changed.
     #[default]
     Refuse,
-    /// The step is tried again with half of its time step, and refused only when it fails at the shortest one. Steps
-    /// that were shortened are counted in [`TimeReport::shortened_steps`](crate::TimeReport::shortened_steps). With a
-    /// fixed time step the next step has its full length again; an adaptive one grows from the short one. It can not be
-    /// combined with what refuses [`adaptive`](super::Scene::adaptive).
+    /// The step is tried again with half of its time step, and refused only when it fails at the shortest one.
+    /// [`TimeReport::halvings`](crate::TimeReport::halvings) counts the halvings. With a fixed time step the next step
+    /// has its full length again; an adaptive one grows from the short one. It cannot be combined with integrators that
+    /// need steps of equal length (Verlet and those of Beeman), nor with exchanges of velocity, whose shares are those
+    /// of a step; and with a fixed time step, [`Solver::set_time_step`](crate::Solver::set_time_step) is refused.
     ShortenStep {
         /// How many times a step is halved, 1 to [`Recovery::MOST_TIMES`].
         times: u32,

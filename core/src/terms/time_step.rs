@@ -71,15 +71,21 @@ pub fn step_inverse<R: Real>(step: R) -> R {
     return div(one, step);
 }
 
-/// Returns the clock after a step, s. Time is stored as two numbers, and the second one holds the rounding errors of
-/// the sums.
+/// Returns what the sum of clock and step loses to rounding, s; exactly (Neumaier 1974).
 #[inline(always)]
-pub fn clock_after<R: Real>(clock: R, step: R) -> R {
-    return clock + step;
+pub fn sum_lost<R: Real>(clock: R, step: R) -> R {
+    return smaller(clock, step) - ((clock + step) - larger(clock, step));
 }
 
-/// Returns the sum of the clock's rounding errors after a step, s. The error of this step is exact (Neumaier 1974).
+/// Returns the clock after a step, s. The clock is two numbers, of which the second is what the first one lost to
+/// rounding: never more than its last digit, so that the clock goes on however short a step is.
+#[inline(always)]
+pub fn clock_after<R: Real>(clock: R, lost: R, step: R) -> R {
+    return (clock + step) + (lost + sum_lost(clock, step));
+}
+
+/// Returns the second number of the clock after a step, s; `after` is the first one.
 #[inline(always)]
 pub fn clock_lost<R: Real>(clock: R, lost: R, step: R, after: R) -> R {
-    return lost + (smaller(clock, step) - (after - larger(clock, step)));
+    return (lost + sum_lost(clock, step)) - (after - (clock + step));
 }

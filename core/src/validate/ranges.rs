@@ -4,7 +4,7 @@ use super::time::step_lengths;
 use crate::axis::Axis;
 use crate::derive::counts::field_counts;
 use crate::derive::lattice_sums::MOST_SPACINGS;
-use crate::derive::scales::{Scales, average_neighbours};
+use crate::derive::scales::{Scales, average_neighbours, neighbours_within};
 use crate::error::SceneError;
 use crate::scene::{AVERAGE_NEIGHBOURS, Fluid, Formulation, Scene};
 
@@ -21,7 +21,7 @@ pub(super) fn numbers(scene: &Scene) -> Result<(), SceneError> {
             let why = "both set the support radius; leave one of them out";
             return Err(not_together("smoothing_ratio", "average_neighbours", why));
         }
-        neighbours("smoothing_ratio", average_neighbours(scene))?;
+        neighbours("smoothing_ratio", neighbours_within(scene.dimension, ratio))?;
     }
     positive("time_step", scene.time_step)?;
     step_lengths(scene)?;
@@ -39,7 +39,11 @@ pub(super) fn reach(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
     let sums = scene.model.normalize_mass || scene.corrects_pressure();
     let elastic = scene.fluids.iter().any(|fluid| fluid.elastic_stiffness > 0.0);
     if (sums || elastic || !scene.walls.is_empty()) && scales.spacings(scene) > MOST_SPACINGS {
-        return Err(SceneError::OutOfScale { field: "average_neighbours", value: average_neighbours(scene) });
+        let field = if scene.smoothing_ratio.is_some() { "smoothing_ratio" } else { "average_neighbours" };
+        return Err(SceneError::OutOfScale {
+            field,
+            value: scene.smoothing_ratio.unwrap_or(average_neighbours(scene)),
+        });
     }
     Ok(())
 }

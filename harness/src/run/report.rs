@@ -60,7 +60,7 @@ pub struct TimeSteps {
     /// Number of steps that should have been shorter than the smallest allowed.
     pub clamped_steps: u32,
     /// Number of times that a step was halved because it could not be made.
-    pub shortened_steps: u32,
+    pub halvings: u32,
 }
 
 /// Courant numbers, the quantities that [`AdaptiveTimeStep`](millpond_core::scene::AdaptiveTimeStep) limits. H is the

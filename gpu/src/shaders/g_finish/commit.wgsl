@@ -11,7 +11,7 @@ fn set_step(step: f32) {
 fn counts() -> bool {
   let step = u.time_step;
   var wanted = step;
-  if m.is_adaptive == 1u {
+  if m.has_changing_step == 1u {
     let fastest = bitcast<f32>(atomicExchange(&head.status.max_speed_squared, 0u));
     let hardest = bitcast<f32>(atomicExchange(&head.status.max_acceleration_squared, 0u));
     let loudest = bitcast<f32>(atomicExchange(&head.status.max_sound_speed, 0u));
@@ -23,13 +23,13 @@ fn counts() -> bool {
     }
     if wanted < p.smallest_time_step { atomicAdd(&head.status.clamped_steps, 1u); }
     atomicAdd(&head.status.rejected_steps, atomicExchange(&head.status.undone, 0u));
-    atomicAdd(&head.status.shortened_steps, atomicExchange(&head.status.shortenings, 0u));
+    atomicAdd(&head.status.halvings, atomicExchange(&head.status.halvings_of_step, 0u));
     head.status.first_time_step = head.status.time_step;
   }
   head.status.last_time_step = step;
   head.status.last_wanted = wanted;
   let before = head.status.clock;
-  let clock = clock_after(before, step);
+  let clock = clock_after(before, head.status.clock_lost, step);
   head.status.clock_lost = clock_lost(before, head.status.clock_lost, step, clock);
   head.status.clock = clock;
   return true;
@@ -37,7 +37,7 @@ fn counts() -> bool {
 
 // Has a step that cannot be made tried again with half of its time step.
 fn shorten() {
-  atomicAdd(&head.status.shortenings, 1u);
+  atomicAdd(&head.status.halvings_of_step, 1u);
   atomicStore(&head.status.out_of_range, NONE);
   atomicStore(&head.status.cell_full, NONE);
   atomicStore(&head.status.not_finite, NONE);
@@ -59,13 +59,13 @@ fn pass_body(thread: u32) {
   let full = atomicLoad(&head.status.cell_full);
   if full != NONE { atomicStore(&head.status.cell_count, atomicLoad(&head.counter[full])); }
   if full != NONE || atomicLoad(&head.status.out_of_range) != NONE || atomicLoad(&head.status.not_finite) != NONE {
-    if atomicLoad(&head.status.shortenings) < m.most_shortenings {
+    if atomicLoad(&head.status.halvings_of_step) < m.most_halvings {
       shorten();
       return;
     }
     atomicStore(&head.status.failed, 1u);
     // the clock did not advance either, so the time step gets back its value from before this step
-    if m.is_adaptive == 1u { set_step(head.status.first_time_step); }
+    if m.has_changing_step == 1u { set_step(head.status.first_time_step); }
     return;
   }
   let iterations = atomicExchange(&head.status.iterations, 0u);
