@@ -11,7 +11,7 @@ use support::{Words, device, words_of};
 #[test]
 fn a_device_shortens_the_same_steps() {
     let Some(gpu) = device("refused_steps_are_shortened", Mode::Strict) else { return };
-    for at_once in [1, 2] {
+    for at_once in [1, 2, 3] {
         let mut scene = leaving();
         scene.recovery = Recovery::ShortenStep { times: 5 };
         let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));

@@ -10,7 +10,7 @@ use crate::snapshot::Snapshot;
 use crate::timing::{Milliseconds, timed};
 use millpond_core::OwnedMemory;
 use millpond_core::scene::{GridStructure, Scene, Traversal};
-use millpond_core::{Requirements, Simd, Solver};
+use millpond_core::{Requirements, SceneError, Simd, Solver};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 
 mod difference;
@@ -130,8 +130,12 @@ pub fn compare(
     let mut level_heaps: Vec<_> = Simd::available().skip(1).map(|simd| (simd, OwnedMemory::of(scene))).collect();
     let mut reference = start(&named.name, scene, first)?.at_level(Simd::Scalar);
     let other = other_grid(scene, &mut reference);
-    // cell lists with so many places may exceed the memory limit of a scene
-    let needs = other.check().ok().map(|other| Requirements::of(&other)).filter(|needs| needs.bytes() <= MOST_BYTES);
+    // cell lists with so many places may exceed the limits of a scene
+    let needs = match other.check() {
+        Ok(other) => Some(Requirements::of(&other)).filter(|needs| needs.bytes() <= MOST_BYTES),
+        Err(SceneError::TooManyCells { .. }) => None,
+        Err(error) => return Err(Failure::Scene { origin: format!("{}, other grid", named.name), error }),
+    };
     let with_other = needs.is_some();
     let mut other_heap = needs.as_ref().map(OwnedMemory::with).unwrap_or_default();
     let mut rivals = Vec::new();
@@ -167,7 +171,7 @@ pub fn compare(
             cpu(&format!("{name}, other grid"), &other, &mut other_heap, best, &one)?;
         } else {
             eprintln!(
-                "the other grid structure is left out: it would need more than the limit of {} GiB",
+                "the other grid structure is left out: it would need more cells than a scene can have, or more than {} GiB",
                 MOST_BYTES >> 30
             );
         }

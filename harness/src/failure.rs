@@ -46,8 +46,8 @@ pub enum Failure {
     Unwritten {
         /// Path of the file or folder.
         path: PathBuf,
-        /// Error of the operating system.
-        error: std::io::Error,
+        /// What went wrong.
+        error: String,
     },
     /// Another error of the operating system.
     #[error("{0}")]
@@ -70,9 +70,9 @@ impl Failure {
     }
 
     /// Returns a function that turns an error of writing into a failure with this path.
-    pub fn unwritten(path: &Path) -> impl FnOnce(std::io::Error) -> Failure {
+    pub fn unwritten<E: ToString>(path: &Path) -> impl FnOnce(E) -> Failure {
         let path = path.to_owned();
-        move |error| Failure::Unwritten { path, error }
+        move |error| Failure::Unwritten { path, error: error.to_string() }
     }
 
     /// Returns a function that turns an error of reading into a failure with this path.

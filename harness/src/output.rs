@@ -45,7 +45,9 @@ fn json(result: &impl Serialize) -> Result<String, Failure> {
 /// A stdout that cannot be written.
 pub fn say(words: &str) -> Result<(), Failure> {
     match writeln!(std::io::stdout(), "{}", words.trim_end()) {
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::System(error.to_string())),
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(Failure::unwritten(Path::new("stdout"))(error))
+        }
         _ => Ok(()),
     }
 }

@@ -35,7 +35,7 @@ pub(crate) const SERIES: [RGBColor; 6] = [
 /// # Errors
 /// A file that cannot be written.
 pub fn front_plot(path: &Path, title: &str, [x_label, y_label]: [&str; 2], marks: &[Mark]) -> Result<(), Failure> {
-    draw(path, title, [x_label, y_label], marks).map_err(|e| Failure::System(format!("{}: {e}", path.display())))
+    draw(path, title, [x_label, y_label], marks).map_err(Failure::unwritten(path))
 }
 
 fn draw(
@@ -114,7 +114,7 @@ pub struct Line {
 /// # Errors
 /// A file that cannot be written.
 pub fn line_plot(path: &Path, title: &str, axes: [&str; 2], lines: &[Line]) -> Result<(), Failure> {
-    draw_lines(path, title, axes, lines).map_err(|e| Failure::System(format!("{}: {e}", path.display())))
+    draw_lines(path, title, axes, lines).map_err(Failure::unwritten(path))
 }
 
 fn draw_lines(

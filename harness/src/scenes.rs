@@ -126,10 +126,11 @@ pub fn load(name: &str, changes: &Changes) -> Result<LoadedScene, Failure> {
     };
     let text = current(&text);
     let mut file = parse(&text, &origin)?;
+    let was_valid = file.scene.check().is_ok();
     for change in &changes.set {
         file = set(&file, change)?;
     }
-    let refuse = |error| refusal(&text, &origin, changes, error);
+    let refuse = |error| refusal(&text, &origin, changes, was_valid, error);
     let now = file.scene.check().map_err(refuse)?.derived().fluid_particles;
     if let Some(particles) = changes.particles {
         scale(&mut file.scene, now, particles)?;
@@ -145,6 +146,9 @@ pub fn load(name: &str, changes: &Changes) -> Result<LoadedScene, Failure> {
     Ok(LoadedScene { name: if built_in.is_some() { name.to_owned() } else { stem.unwrap_or_default() }, file })
 }
 
+/// Fields that fluids had in the first version, and that are the formulation's now.
+const MOVED: [&str; 6] = ["alpha", "beta", "velocity_exchange", "radial_exchange", "xsph", "heat_gain"];
+
 /// Parses the RON text of a scene.
 fn parse(text: &str, origin: &Path) -> Result<SceneFile, Failure> {
     let options = ron::Options::default().with_default_extension(ron::extensions::Extensions::IMPLICIT_SOME);
@@ -152,31 +156,31 @@ fn parse(text: &str, origin: &Path) -> Result<SceneFile, Failure> {
         let line = e.span.start.line;
         // ron does not always name the field, so the line is quoted
         let quoted = text.lines().nth(line.saturating_sub(1)).unwrap_or_default().trim();
-        Failure::SceneText { file: origin.to_owned(), line, message: format!("{}, at `{quoted}`", e.code) }
+        let is_moved =
+            |field: &&&str| quoted.contains(&format!("{field}:")) && e.code.to_string().contains(&format!("`{field}`"));
+        let moved =
+            MOVED.iter().find(is_moved).map_or(String::new(), |field| format!(" ({field} is a field of model now)"));
+        Failure::SceneText { file: origin.to_owned(), line, message: format!("{}, at `{quoted}`{moved}", e.code) }
     })
 }
 
-/// Adds the origin to a scene error: the `--set` argument that caused it, or the file and, if it is found, the line of
-/// the field.
-fn refusal(text: &str, origin: &Path, changes: &Changes, error: SceneError) -> Failure {
+/// Adds the origin to a scene error: the `--set` arguments that caused it, or the file and, if it is found, the line of
+/// the field. `was_valid` says whether the scene could run before the changes.
+fn refusal(text: &str, origin: &Path, changes: &Changes, was_valid: bool, error: SceneError) -> Failure {
     let message = error.to_string();
     let field = message.split_whitespace().next().unwrap_or_default();
-    let leaf =
-        |path: &str| path.rsplit('.').next().unwrap_or_default().split('[').next().unwrap_or_default().to_owned();
-    // what `--set` names by the end of its path is a part of the error's path, or the other half of a conflict
-    let path_of = |change: &str| indexed(change.split('=').next().unwrap_or_default());
     let is_named = |change: &&String| {
-        let path = path_of(change);
+        let path = indexed(change.split('=').next().unwrap_or_default());
         field == path || field.ends_with(&format!(".{path}")) || path.ends_with(&format!(".{field}"))
     };
-    let conflicts = |change: &&String| {
-        let is_part = |word: &str| word.trim_matches('.').rsplit('.').next() == Some(&leaf(&path_of(change)));
-        message.contains(" conflicts with ") && message.split([' ', ',', ':', ';']).any(is_part)
-    };
-    let changed = changes.set.iter().find(is_named).or_else(|| changes.set.iter().find(conflicts));
-    if let Some(change) = changed {
-        return Failure::Scene { origin: format!("--set {change}"), error };
+    let named: Vec<&String> = changes.set.iter().filter(is_named).collect();
+    let caused = if named.is_empty() && was_valid { changes.set.iter().collect() } else { named };
+    if !caused.is_empty() {
+        let arguments: Vec<String> = caused.iter().map(|change| format!("--set {change}")).collect();
+        return Failure::Scene { origin: arguments.join(" "), error };
     }
+    let leaf =
+        |path: &str| path.rsplit('.').next().unwrap_or_default().split('[').next().unwrap_or_default().to_owned();
     let line = line_of(text, field).or_else(|| line_of(text, &leaf(field)));
     let line = line.map_or(String::new(), |line| format!(":{line}"));
     Failure::Scene { origin: format!("{}{line}", origin.display()), error }

@@ -249,6 +249,28 @@ fn a_result_that_cannot_be_written_ends_with_status_4() {
     let err = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(4), "{err}");
     assert!(err.contains("cannot be written"), "{err}");
+    // a picture of the plotter's, where a folder stands
+    let map = [
+        "stability",
+        "dam-break",
+        "--particles",
+        "100",
+        "--axis",
+        "time_step=0.0001",
+        "--time",
+        "0.01",
+        "--out",
+        "map",
+    ];
+    let drawn = millpond(folder.path(), &map);
+    assert_eq!(drawn.status.code(), Some(0), "{}", String::from_utf8_lossy(&drawn.stderr));
+    let svg =
+        std::fs::read_dir(folder.path().join("map")).expect("a folder").map(|entry| entry.expect("an entry").path());
+    let svg = svg.filter(|path| path.extension().is_some_and(|e| e == "svg")).last().expect("a picture");
+    std::fs::remove_file(&svg).expect("its file");
+    std::fs::create_dir(&svg).expect("a folder");
+    let output = millpond(folder.path(), &map);
+    assert_eq!(output.status.code(), Some(4), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
 #[test]
@@ -257,6 +279,8 @@ fn a_conflict_names_the_argument_that_makes_it() {
     for (arguments, origin) in [
         (["run", "stiff-tank", "--set", "integrator=Verlet"], "--set integrator=Verlet: adaptive conflicts"),
         (["run", "two-fluids", "--set", "fluids.1.rest_density=-1"], "--set fluids.1.rest_density=-1: fluids[1]."),
+        (["run", "dam-break", "--set", "blocks.0.size=[9,2,0.8]"], "--set blocks.0.size=[9,2,0.8]: blocks[0]"),
+        (["run", "dam-break", "--set", "grid.cells.0=2"], "--set grid.cells.0=2: grid.cells"),
     ] {
         let output = millpond(folder.path(), &arguments);
         let err = String::from_utf8_lossy(&output.stderr);

@@ -48,9 +48,9 @@ pub fn kernels_and_pressure(add: Add<'_>) {
         });
     }
     for &state in EquationOfState::ALL {
-        for suction in [true, false] {
-            add(format!("equation_of_state {state:?}, suction {suction}"), &|s| {
-                (s.model.equation_of_state, s.model.negative_pressure) = (state, suction);
+        for negative_pressure in [true, false] {
+            add(format!("equation_of_state {state:?}, negative_pressure {negative_pressure}"), &|s| {
+                (s.model.equation_of_state, s.model.negative_pressure) = (state, negative_pressure);
                 s.model.pressure_force = PressureForce::Monaghan;
             });
         }

@@ -3,6 +3,7 @@ use super::derived::Derived;
 use super::fluid::FluidConstants;
 use super::scales::Scales;
 use crate::scene::{AdaptiveTimeStep, Block, Fluid, Scene, Viscosity};
+use glam::Vec3;
 
 /// Largest kinematic viscosity of a scene, m2/s. For a pair it is the mean viscosity, or that of the wall, over the
 /// smaller rest density, since the lighter of two particles is accelerated more. For the artificial viscosity it is
@@ -42,7 +43,7 @@ pub(crate) fn recommended_step(scene: &Scene, derived: &Derived) -> f32 {
     };
     let sound = scene.fluids.iter().zip(&derived.fluids).map(sound).fold(0.0, f32::max);
     let moving = scene.blocks.iter().map(|block| block.velocity).chain(scene.walls.iter().map(|wall| wall.velocity));
-    let speed = moving.map(|velocity| velocity.length()).fold(0.0, f32::max);
+    let speed = moving.map(Vec3::length).fold(0.0, f32::max);
     let by_sound = criteria.sound.unwrap_or_default() * derived.support_radius as f32 / sound;
     let by_speed = limits.speed / speed;
     let by_gravity = libm::sqrtf(limits.acceleration / scene.gravity.length());

@@ -250,6 +250,9 @@ impl fmt::Display for SceneError {
             SceneError::NotPositive { field, value } => write!(f, "{field} is {value}, but must be larger than 0"),
             SceneError::Negative { field, value } => write!(f, "{field} is {value}, but must not be negative"),
             SceneError::NotAShare { field, value } => write!(f, "{field} is {value}, but must lie between 0 and 1"),
+            SceneError::OutOfBounds { field, value, least, most } if most == f32::MAX => {
+                write!(f, "{field} is {value}, but must be at least {least}")
+            }
             SceneError::OutOfBounds { field, value, least, most } => {
                 write!(f, "{field} is {value}, but must lie between {least} and {most}")
             }

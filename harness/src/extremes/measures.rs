@@ -5,7 +5,7 @@ use crate::outcome::Metric;
 use crate::state_summary::summarize;
 use crate::warnings::{gained, warnings};
 
-/// Largest deviation from free fall, as a share of the distance fallen (case X10 of the test catalogue).
+/// Largest deviation from free fall, as a share of the distance fallen (case X10 of the validation catalogue).
 const FALL: f64 = 1e-4;
 
 /// Largest growth of the energy, as a share of the initial kinetic energy or of the potential energy that was released.

@@ -121,7 +121,7 @@ fn sound(dam: &Scene) -> Vec<Case> {
             s.time_step = time_step;
         })
     };
-    // case X1 of the test catalogue: a quarter of the time that sound takes through half of the support radius
+    // case X1 of the validation catalogue: a quarter of the time that sound takes through half of the support radius
     let fitting = 0.25 * support_radius(dam) as f32 / 2.0 / 1500.0;
     // case X4: a block that hits a wall at the speed of its own sound
     let mach_1 = changed(&with(50.0, 5e-5), |s| {
@@ -169,7 +169,7 @@ fn nothing(dam: &Scene) -> Vec<Case> {
     ]
 }
 
-/// Returns cases of a block far from the origin (case X8 of the test catalogue).
+/// Returns cases of a block far from the origin (case X8 of the validation catalogue).
 fn distances(dam: &Scene) -> Vec<Case> {
     let away = |x: f32| {
         changed(dam, |s| {

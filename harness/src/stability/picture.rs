@@ -37,7 +37,7 @@ const BAR: (i32, i32) = (18, 160);
 /// # Errors
 /// Returns an error if the file cannot be written.
 pub(super) fn draw(path: &Path, suite: &Suite, map: &Map) -> Result<(), Failure> {
-    paint(path, suite, map).map_err(|e| Failure::System(format!("{}: {e}", path.display())))
+    paint(path, suite, map).map_err(Failure::unwritten(path))
 }
 
 /// Positions and sizes, pixels.

@@ -83,7 +83,7 @@ pub(super) fn in_file(
 ) -> Result<(), Failure> {
     let area = SVGBackend::new(path, size).into_drawing_area();
     let done = area.fill(&WHITE).and_then(|()| draw(&area)).and_then(|()| area.present());
-    done.map_err(|e| Failure::System(format!("{}: {e}", path.display())))
+    done.map_err(Failure::unwritten(path))
 }
 
 impl Sheet {
