@@ -1,5 +1,5 @@
 //! Promise: in strict mode a device gives the bits of the CPU over 500 steps, compared after each step or after
-//! several, however many steps run between two reads of the status. `vocabulary_parity.rs` shows that strict mode is
+//! several, however many steps run between two reads of the status. `intrinsics_parity.rs` shows that strict mode is
 //! the reason.
 use millpond::compare::difference;
 use millpond::snapshot::Snapshot;

@@ -206,12 +206,12 @@ fn a_field_that_is_refused_leaves_the_one_before() {
     let mut asked = Solver::new(&scene, first.lend()).expect("a scene");
     let mut left_alone = Solver::new(&scene, second.lend()).expect("a scene");
     let good = [[1.0, 2.0, 0.0, 0.0]; 16];
-    asked.set_field(&good).expect("a field");
-    left_alone.set_field(&good).expect("a field");
+    asked.set_acceleration_field(&good).expect("a field");
+    left_alone.set_acceleration_field(&good).expect("a field");
     // added to this gravity, the largest number overflows
-    let refused = asked.set_field(&[[f32::MAX; 4]; 16]);
+    let refused = asked.set_acceleration_field(&[[f32::MAX; 4]; 16]);
     assert!(matches!(refused, Err(SceneError::FirstStep(_))), "{refused:?}");
-    assert_eq!(asked.field(), good);
+    assert_eq!(asked.acceleration_field(), good);
     assert_eq!(asked.full_hash(), left_alone.full_hash());
 }
 
@@ -254,10 +254,13 @@ fn a_fresh_device_refuses_what_its_first_accelerations_would_not_know() {
     let solver = Solver::new(&field, heap.lend()).expect("a scene");
     let mut fluid = GpuSolver::new(&gpu, &solver).expect("a device that takes it");
     let points = [[1.0, 0.0, 0.0, 0.0]; 9];
-    assert!(matches!(fluid.set_field(&points), Err(GpuError::BeforeFirstStep { call: "set_field" })));
+    assert!(matches!(
+        fluid.set_acceleration_field(&points),
+        Err(GpuError::BeforeFirstStep { call: "set_acceleration_field" })
+    ));
     assert!(matches!(fluid.set_gravity([0.0; 3]), Err(GpuError::BeforeFirstStep { call: "set_gravity" })));
     fluid.step(1).expect("a step");
-    fluid.set_field(&points).expect("a field");
+    fluid.set_acceleration_field(&points).expect("a field");
     let requirements = Requirements::of(&field.check().expect("a scene"));
     assert!(requirements.counts.field_nodes == points.len());
 }

@@ -45,12 +45,12 @@ fn with_a_break(scene: &Scene) -> Snapshot {
     let (mut first, mut second) = (memory(), memory());
     let pool = Pool::new(1).expect("a thread");
     let mut solver = Solver::new(scene, first.lend()).expect("a scene");
-    solver.set_field(&field(scene)).expect("a field");
+    solver.set_acceleration_field(&field(scene)).expect("a field");
     (0..STEPS / 2).for_each(|_| solver.step(&pool).expect("a step"));
     let mut other = Solver::new(scene, second.lend()).expect("a scene");
     other.restore(&saved(&solver)).expect("bytes of this scene");
     assert!(saved(&other) == saved(&solver), "bytes that were read are written again");
-    other.set_field(&other_field(scene)).expect("a field");
+    other.set_acceleration_field(&other_field(scene)).expect("a field");
     (STEPS / 2..STEPS).for_each(|_| other.step(&pool).expect("a step"));
     Snapshot::of_cpu(&other)
 }
@@ -58,7 +58,7 @@ fn with_a_break(scene: &Scene) -> Snapshot {
 /// Makes all steps, the second half of them in another field.
 fn half_and_half(scene: &Scene, solver: &mut Solver<'_>, pool: &Pool) {
     (0..STEPS / 2).for_each(|_| solver.step(pool).expect("a step"));
-    solver.set_field(&other_field(scene)).expect("a field");
+    solver.set_acceleration_field(&other_field(scene)).expect("a field");
     (STEPS / 2..STEPS).for_each(|_| solver.step(pool).expect("a step"));
 }
 
@@ -70,11 +70,11 @@ fn by_cpu(
     gpu: Option<&Gpu>,
 ) -> [Option<Snapshot>; 2] {
     let mut solver = Solver::new(scene, heap.lend()).expect("a scene").at_level(simd);
-    solver.set_field(&field(scene)).expect("a field");
+    solver.set_acceleration_field(&field(scene)).expect("a field");
     let on_device = gpu.map(|gpu| {
         let mut fluid = GpuSolver::new(gpu, &solver).expect("a device that takes it");
         fluid.step(STEPS / 2).expect("steps on the device");
-        fluid.set_field(&other_field(scene)).expect("a field");
+        fluid.set_acceleration_field(&other_field(scene)).expect("a field");
         fluid.step(STEPS - STEPS / 2).expect("steps on the device");
         let reports = (
             fluid.correction().expect("a report"),
@@ -130,7 +130,7 @@ fn check(dimension: Dimension) {
         let (count, places) = (known.derived().particles(), known.initial_particles());
         let plan = Plan::everything(&known);
         let mut whole = Solver::with_particles(&known, plan, count, places, heap.lend()).expect("a scene");
-        whole.set_field(&field(&scene)).expect("a field");
+        whole.set_acceleration_field(&field(&scene)).expect("a field");
         let pool = Pool::new(1).expect("a thread");
         half_and_half(&scene, &mut whole, &pool);
         assert_eq!(whole.hash(), want.hash(), "{name}: with every term left in");

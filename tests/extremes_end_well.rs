@@ -68,8 +68,8 @@ fn and_a_refusal_that_names_another_field_is_found() {
                 _ => End::Naming([other; 2], Measure::Finite),
             };
             let verdict = judge(&case, None).expect("no device that could fail");
-            let of_the_scene = verdict.came.starts_with("refused: ") && !verdict.came.contains("cannot start");
-            assert_eq!(!verdict.faults.is_empty(), of_the_scene, "{}: {}", case.name, verdict.came);
+            let of_the_scene = verdict.result.starts_with("refused: ") && !verdict.result.contains("cannot start");
+            assert_eq!(!verdict.faults.is_empty(), of_the_scene, "{}: {}", case.name, verdict.result);
             refused += u32::from(of_the_scene);
         }
     }

@@ -20,13 +20,13 @@ impl Solver<'_> {
     /// [`SceneError::WrongLength`] if the scene has fewer or more nodes, and [`SceneError::NotFinite`] for a value that
     /// is not finite; before the first step also [`SceneError::FirstStep`] if an acceleration is then not finite. The
     /// field stays as it was.
-    pub fn set_field(&mut self, points: &[f32x4]) -> Result<(), SceneError> {
+    pub fn set_acceleration_field(&mut self, points: &[f32x4]) -> Result<(), SceneError> {
         let (given, expected) = (points.len(), self.memory.given.acceleration_field.len());
         if given != expected {
-            return Err(SceneError::WrongLength { call: "set_field", what: "points", given, expected });
+            return Err(SceneError::WrongLength { call: "set_acceleration_field", what: "points", given, expected });
         }
         if let Some(&value) = points.as_flattened().iter().find(|x| !x.is_finite()) {
-            return Err(SceneError::NotFinite { field: "acceleration_field", value });
+            return Err(SceneError::NotFinite { field: "acceleration_field".into(), value });
         }
         let begins = self.steps == 0 && expected > 0;
         if begins {

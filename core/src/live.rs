@@ -3,6 +3,7 @@ use crate::derive::Derived;
 use crate::error::SceneError;
 use crate::layout::{Materials, Model, Parameters, StepUniform};
 use crate::scene::{Adjustable, FLUIDS, Fluid, Integrator, Recovery, Scene, SurfaceTension, Viscosity, Wind};
+use crate::validate::not_together;
 use glam::Vec3;
 
 /// A change between two steps.
@@ -179,9 +180,9 @@ impl LiveScene {
 
     fn apply(&mut self, change: Change) -> Result<(), SceneError> {
         let m = self.model;
-        let kept = |runs: bool, live: Adjustable| {
-            let [live, field] = live.names();
-            if runs { Ok(()) } else { Err(SceneError::LeftOut { field, live }) }
+        let kept = |runs: bool, term: Adjustable| {
+            let [item, field] = term.names();
+            if runs { Ok(()) } else { Err(SceneError::LeftOut { field, item }) }
         };
         match change {
             Change::Gravity(gravity) => {
@@ -200,7 +201,7 @@ impl LiveScene {
                     let (choice, other) = ("set_viscosity", "model.viscosity Artificial or VelocityExchange");
                     let why =
                         "these use coefficients in model instead of dynamic_viscosity; use another model.viscosity";
-                    return Err(SceneError::NotTogether { choice, other, why });
+                    return Err(not_together(choice, other, why));
                 }
                 kept(m.viscosity != 0 || viscosity == 0.0, Adjustable::Viscosity)
             }
@@ -214,14 +215,14 @@ impl LiveScene {
                 if self.scene.stiffness_for_time_step.is_some() {
                     let (choice, other) = ("set_speed_of_sound", "stiffness_for_time_step");
                     let why = "the speed of sound is derived from the time step; call set_time_step";
-                    return Err(SceneError::NotTogether { choice, other, why });
+                    return Err(not_together(choice, other, why));
                 }
                 let fluid = self.fluid("set_speed_of_sound", fluid)?;
                 fluid.speed_of_sound = speed;
                 if fluid.stiffness.is_some() {
                     let (choice, other) = ("set_speed_of_sound", "the stiffness of that fluid");
                     let why = "the speed of sound is derived from the stiffness; call set_stiffness";
-                    return Err(SceneError::NotTogether { choice, other, why });
+                    return Err(not_together(choice, other, why));
                 }
                 Ok(())
             }
@@ -235,7 +236,7 @@ impl LiveScene {
     fn apply_time_step(&mut self, time_step: f32) -> Result<(), SceneError> {
         use Integrator::{Beeman, PositionCorrectedBeeman, VelocityCorrectedBeeman};
         self.scene.time_step = time_step;
-        let refused = |other, why| Err(SceneError::NotTogether { choice: "set_time_step", other, why });
+        let refused = |other: &'static str, why| Err(not_together("set_time_step", other, why));
         if self.scene.adaptive.is_some() {
             return refused("adaptive", "the time step is derived from the state of the fluid; omit adaptive");
         }
@@ -258,6 +259,10 @@ impl LiveScene {
     fn fluid(&mut self, field: &'static str, number: u32) -> Result<&mut Fluid, SceneError> {
         let fluids = self.scene.fluids.iter().count() as u32;
         let all = self.scene.fluids.iter_mut();
-        all.into_iter().nth(number as usize).ok_or(SceneError::NoSuchFluid { field, fluid: number, fluids })
+        all.into_iter().nth(number as usize).ok_or(SceneError::NoSuchFluid {
+            field: field.into(),
+            fluid: number,
+            fluids,
+        })
     }
 }

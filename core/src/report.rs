@@ -1,17 +1,11 @@
 //! Reports on a fluid as a whole. Nothing here is part of a step.
 use crate::arithmetic::real::vec3;
-use crate::grid::{Cells, Stencil, cell_of, is_inactive_cell};
 use crate::hash::tree_sum;
 use crate::layout::f32x4;
-use crate::memory::{Arrays, Sorting};
-use crate::passes::b_sort::count::count;
-use crate::passes::b_sort::scan::scan;
-use crate::passes::b_sort::scatter::scatter;
-use crate::passes::lanes::{is_inactive, material_of};
+use crate::memory::Arrays;
+use crate::passes::lanes::material_of;
 use crate::passes::lists::{ListReport, Lists};
 use crate::solver::Solver;
-use crate::terms::pair::{pair_scale, separation, squared_ratio};
-use crate::terms::support::support_close;
 use crate::terms::time_step::{bounded_sound, bounded_square};
 
 /// Compression of the fluid beyond its rest density, relative to the rest density.
@@ -58,7 +52,7 @@ pub struct Courant {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct AirReport {
     /// Number of active air particles.
-    pub alive: u32,
+    pub active: u32,
     /// Spawn requests in all steps for which `air.capacity` left no particle. An exposed particle repeats its request
     /// in each step.
     pub refused: u64,
@@ -73,8 +67,8 @@ impl Solver<'_> {
         }
         let first = self.parameters().first_air as usize;
         let coat = self.slots().iter().skip(first);
-        let alive = coat.filter(|&&slot| !self.is_wall(slot as usize)).count() as u32;
-        AirReport { alive, refused: self.air_refused }
+        let active = coat.filter(|&&slot| !self.is_wall(slot as usize)).count() as u32;
+        AirReport { active, refused: self.air_refused }
     }
 
     /// Courant numbers of a step of `time_step` seconds that led to this state.
@@ -136,111 +130,12 @@ impl Solver<'_> {
         }
     }
 
-    /// Calls `visit` with the ids of all pairs inside each other's support, each pair in both directions and each
-    /// particle with itself. The order is that in which the next step would sum the pairs with the full stencil if the
-    /// particles did not move.
-    pub fn each_pair(&mut self, mut visit: impl FnMut(u32, u32)) {
-        self.visit_pairs(|solver, a, b| visit(solver.state().id[a], solver.state().id[b]));
-    }
-
-    /// Calls `visit` with the slots of all pairs, as [`Solver::each_pair`] does with their ids.
-    pub(crate) fn visit_pairs(&mut self, mut visit: impl FnMut(&Solver<'_>, usize, usize)) {
-        let (p, m) = (*self.parameters(), self.plan().model);
-        let layers = m.is_3d as i32;
-        self.sort_again();
-        let state = self.state();
-        let scratch = &self.memory.scratch;
-        let source_slot = scratch.source_slot(state.id.len());
-        let cells = Cells { start: scratch.cell_start, counter: scratch.grid_cell_counters };
-        let support = |slot: usize| support_close(&m, &p, state.density_pressure[slot][0]);
-        for cell in 0..cells.start.len() {
-            let members = cells.members(cell);
-            if members.is_empty() || is_inactive_cell(&m, &p, cell) {
-                continue;
-            }
-            let stencil = Stencil::around(&p, layers, cells, cell);
-            for a in &source_slot[members] {
-                for b in stencil.runs().flat_map(|run| &source_slot[run]) {
-                    let (a, b) = (*a as usize, *b as usize);
-                    let (x_a, x_b) = (vec3::<f32>::splat(state.position[a]), vec3::splat(state.position[b]));
-                    let x_ab = separation(&m, &p, x_a, x_b);
-                    let scale = pair_scale(&m, support(a), support(b));
-                    if squared_ratio(&m, &p, x_ab, scale) < 1.0 {
-                        visit(self, a, b);
-                    }
-                }
-            }
-        }
-    }
-
-    /// Mean number of particles inside the support radius of a fluid particle, including the particle itself.
-    #[must_use]
-    pub fn average_neighbours(&mut self) -> f64 {
-        let fluid = (0..self.slots().len()).filter(|&slot| !self.is_wall(slot)).count();
-        let mut pairs = 0u64;
-        self.visit_pairs(|solver, a, _| pairs += u64::from(!solver.is_wall(a)));
-        pairs as f64 / fluid.max(1) as f64
-    }
-
-    /// Number of pairs whose distance a step with the full stencil computes: each particle with all particles in its
-    /// own cell and the cells around it.
-    #[must_use]
-    pub fn tested_pairs(&mut self) -> u64 {
-        let (p, m) = (*self.parameters(), self.plan().model);
-        self.sort_again();
-        let scratch = &self.memory.scratch;
-        let cells = Cells { start: scratch.cell_start, counter: scratch.grid_cell_counters };
-        let full = (0..cells.start.len()).filter(|&cell| cells.counter[cell] > 0 && !is_inactive_cell(&m, &p, cell));
-        let tested = |cell: usize| {
-            let around = Stencil::around(&p, m.is_3d as i32, cells, cell).runs().map(|run| run.len()).sum::<usize>();
-            u64::from(cells.counter[cell]) * around as u64
-        };
-        full.map(tested).sum()
-    }
-
     /// How full the neighbour lists of the last step are. `None` with the half stencil, after a failed step, and after
-    /// a report that sorts the particles, since that overwrites the memory of the lists: call this function before such
-    /// reports.
+    /// [`Solver::neighbours`], which overwrites the memory of the lists.
     #[must_use]
     pub fn lists(&self) -> Option<ListReport> {
         let Arrays { scratch, list_words, .. } = &self.memory;
         let particles = self.slots().len();
         self.has_lists.then(|| Lists::new(&scratch.neighbours[..*list_words], particles).report(particles))
-    }
-
-    /// Number of particles in the fullest cell. Cell lists with fewer places would make this state fail.
-    #[must_use]
-    pub fn fullest_cell(&mut self) -> u32 {
-        let (m, p) = (self.plan().model, *self.parameters());
-        self.sort_again();
-        let counts = self.memory.scratch.grid_cell_counters.iter().enumerate();
-        counts.filter(|&(cell, _)| !is_inactive_cell(&m, &p, cell)).map(|(_, &count)| count).max().unwrap_or(0)
-    }
-
-    /// Writes the slots, sorted by cell and id, to `source_slot`. This is needed because penalty planes move particles
-    /// after a step has sorted them, and because a failed step leaves the cells of its attempt behind.
-    fn sort_again(&mut self) {
-        self.has_lists = false;
-        let (m, p) = (self.plan().model, *self.parameters());
-        let current = self.current_index();
-        let state = &self.memory.states[current];
-        let (materials, scratch) = (&self.constants.materials, &mut self.memory.scratch);
-        let Sorting { source_slot, cell: cells, rank, .. } = Sorting::of(scratch.neighbours, state.id.len());
-        for ((cell, x), v) in cells.iter_mut().zip(state.position.iter()).zip(state.velocity.iter()) {
-            if m.has_air == 1 && is_inactive(materials, v[3]) {
-                *cell = p.cells[3] - 1;
-                continue;
-            }
-            // a particle that a penalty plane moved beyond the range, which the next step reports, is put in cell 0,
-            // where the distance test finds no neighbours of it
-            *cell = cell_of(&p, *x).unwrap_or(0);
-        }
-        count(cells, rank, scratch.grid_cell_counters);
-        scan(scratch.grid_cell_counters, scratch.cell_start);
-        scatter(cells, rank, scratch.cell_start, source_slot);
-        let cells = Cells { start: scratch.cell_start, counter: scratch.grid_cell_counters };
-        for cell in 0..cells.start.len() {
-            source_slot[cells.members(cell)].sort_unstable_by_key(|&slot| state.id[slot as usize]);
-        }
     }
 }

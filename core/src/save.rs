@@ -152,7 +152,7 @@ impl Solver<'_> {
             place.iter_mut().zip(&mut words).for_each(|(place, word)| *place = word);
         }
         // particles are now in order of their ids; the next step sorts them
-        self.lie_by_id();
+        self.number_in_order();
         Ok(())
     }
 
@@ -175,7 +175,7 @@ impl Solver<'_> {
         let (live, mut constants) = self.live().with_values(&record.live).map_err(RestoreError::Scene)?;
         constants.step = constants.step.with_time_step(record.time_step);
         constants.step.step = record.steps as u32;
-        self.go_on(live, &constants, record);
+        self.continue_from(live, &constants, record);
         self.clock = Clock::of_record(record.clock, record.counts);
         self.air_refused = record.air_refused;
         Ok(())

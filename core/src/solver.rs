@@ -310,7 +310,7 @@ impl<'m> Solver<'m> {
     /// Nodes of the acceleration field supplied by the caller, m/s2, x fastest; the fourth numbers are unused. Empty in
     /// scenes without such a field.
     #[must_use]
-    pub fn field(&self) -> &[f32x4] {
+    pub fn acceleration_field(&self) -> &[f32x4] {
         self.memory.given.acceleration_field
     }
 
@@ -394,7 +394,7 @@ impl<'m> Solver<'m> {
     }
 
     /// Sets the ids and slots of particles that lie in the order of their ids: particle `i` in slot `i`.
-    pub(crate) fn lie_by_id(&mut self) {
+    pub(crate) fn number_in_order(&mut self) {
         let state = &mut self.memory.states[self.current];
         for (id, (slot, slot_of_id)) in (0..).zip(state.id.iter_mut().zip(state.slot_of_id.iter_mut())) {
             (*slot, *slot_of_id) = (id, id);
@@ -402,7 +402,7 @@ impl<'m> Solver<'m> {
     }
 
     /// Continues with these constants, and with the counters of a saved record.
-    pub(crate) fn go_on(&mut self, live: LiveScene, constants: &Constants, record: &Record) {
+    pub(crate) fn continue_from(&mut self, live: LiveScene, constants: &Constants, record: &Record) {
         (self.live, self.constants) = (live, *constants);
         (self.steps, self.steady, self.correction) = (record.steps, record.steady, record.correction);
         self.due = record.due;

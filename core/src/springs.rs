@@ -34,8 +34,10 @@ impl Solver<'_> {
             of[2] = bonds.pull(self.end(self.slots()[id] as usize)).to_bits();
         }
         join(of, ends, &mut |found| {
-            self.visit_pairs(|solver, a, b| {
-                let id = |slot: usize| solver.state().id[slot];
+            let neighbours = self.neighbours();
+            let solver = neighbours.solver;
+            let id = |slot: usize| solver.state().id[slot];
+            neighbours.each_pair_of_slots(|a, b| {
                 if a != b
                     && let Some(length) = bonds.length(solver.parameters(), solver.end(a), solver.end(b))
                 {

@@ -101,7 +101,7 @@ impl Solver<'_> {
                 return Err(SceneError::UnplannedParticle { particle: slot as u32 });
             }
             if !(place.mass > 0.0 && place.mass.is_finite()) {
-                return Err(SceneError::NotPositive { field: "mass of a particle", value: place.mass });
+                return Err(SceneError::NotPositive { field: "mass of a particle".into(), value: place.mass });
             }
             state.position[slot] = [x, y, z, place.mass];
             state.velocity[slot] = [u, v, w, place.material as f32];

@@ -25,13 +25,13 @@ fn a_bare_drop_is_coated_and_stays_so() {
         let derived = scene.derived();
         let mut heap = OwnedMemory::of(&scene);
         let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
-        assert_eq!(solver.air(), AirReport { alive: 0, refused: 0 }, "none at the start, when time stands still");
+        assert_eq!(solver.air(), AirReport { active: 0, refused: 0 }, "none at the start, when time stands still");
         solver.step(&Serial).expect("a step");
         // in the first step each particle of a face requests one air particle; where faces meet there are fewer
         let face = if scene.dimension == Dimension::Two { 4 * 6 } else { 6 * 36 };
         let first = solver.air();
         println!("{:?}: {first:?}", scene.dimension);
-        assert!((face / 2..=face + 24).contains(&(first.alive as usize)), "{first:?} of {face}");
+        assert!((face / 2..=face + 24).contains(&(first.active as usize)), "{first:?} of {face}");
         let mut before: Vec<Particle> = solver.particles().collect();
         for _ in 0..100 {
             solver.step(&Serial).expect("a step");
@@ -49,9 +49,9 @@ fn a_bare_drop_is_coated_and_stays_so() {
         }
         let air = coat(&solver);
         println!("{:?}: {:?}", scene.dimension, solver.air());
-        assert_eq!(air.len(), solver.air().alive as usize);
+        assert_eq!(air.len(), solver.air().active as usize);
         assert_eq!(solver.air().refused, 0, "there was room for all");
-        assert!(air.len() >= first.alive as usize / 2, "{} are left", air.len());
+        assert!(air.len() >= first.active as usize / 2, "{} are left", air.len());
         assert_eq!(solver.particles().len(), derived.particles());
     }
 }
@@ -71,7 +71,7 @@ fn air_without_liquid_vanishes() {
         let mut heap = OwnedMemory::of(&scene);
         let plan = Plan::of(&scene);
         let mut solver = Solver::with_particles(&scene, plan, count, all.clone(), heap.lend()).expect("a scene");
-        assert_eq!(solver.air().alive, 1);
+        assert_eq!(solver.air().active, 1);
         solver.step(&Serial).expect("a step");
         assert!(solver.particles().nth(lost).is_some_and(|particle| particle.is_inactive), "it is gone");
         // its id is available again only from the next step on, so the particles that are spawned in this step skip it
@@ -94,8 +94,8 @@ fn births_that_find_nobody_are_counted() {
         let mut before = 0;
         for _ in 0..5 {
             solver.step(&Serial).expect("a step");
-            let AirReport { alive, refused } = solver.air();
-            assert!(alive <= capacity && refused >= before + 10, "each step asks again: {alive}, {refused}");
+            let AirReport { active, refused } = solver.air();
+            assert!(active <= capacity && refused >= before + 10, "each step asks again: {active}, {refused}");
             before = refused;
         }
     }
@@ -146,7 +146,7 @@ fn the_same_bits_everywhere() {
             let what = format!("{name}, {:?}", scene.dimension);
             let want = by_cpu(&scene, Simd::Scalar, 1);
             println!("{what}: {:?}", want.1);
-            with_air += usize::from(want.1.alive > 0);
+            with_air += usize::from(want.1.active > 0);
             assert!(by_cpu(&scene, Simd::detect(), 2) == want, "{what}: lanes on two threads");
             for simd in Simd::available().skip(1) {
                 assert!(by_cpu(&scene, simd, 1) == want, "{what}: lanes, {simd:?}");

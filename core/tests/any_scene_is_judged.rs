@@ -85,8 +85,8 @@ fn errors_say_what_is_wrong() {
     let nobody = Solver::with_particles(&scene, Plan::of(&scene), 2, [], storage.lend()).err();
     // springs need an arena, which a storage alone does not have
     assert!(matches!(nobody, Some(SceneError::CapacityExceeded { .. })), "{nobody:?}");
-    let error = SceneError::WrongLength { call: "set_field", what: "points", given: 5, expected: 8 };
-    assert_eq!(error.to_string(), "`set_field` got 5 points, expected 8");
+    let error = SceneError::WrongLength { call: "set_acceleration_field", what: "points", given: 5, expected: 8 };
+    assert_eq!(error.to_string(), "`set_acceleration_field` got 5 points, expected 8");
     let error = SceneError::EmptyBlock { block: 0, axis: Axis::Z, size: 0.1 };
     assert_eq!(error.to_string(), "blocks[0].size is 0.1 m along z, but must be at least half a particle_spacing");
     let error = StepError::OutOfRange { particle: 3, axis: Axis::Y, step: 7 };

@@ -116,10 +116,10 @@ fn collision(light: Option<f32>) -> Scene {
     scene.periodic = Some(Periodic { low: Vec3::ZERO, high: Vec3::new(0.7, 1.0, 1.0), axes: [true, false, false] });
     if let Some(rest_density) = light {
         let light = Fluid { rest_density, speed_of_sound: 18.0, dynamic_viscosity: 1.0, ..scene.fluids[0] };
-        scene.fluids.push(light).expect("room for a fluid");
+        scene.add_fluid(light).expect("room for a fluid");
         other.fluid = 1;
     }
-    scene.blocks.push(other).expect("room for a block");
+    scene.add_block(other).expect("room for a block");
     scene.model.near_pressure = NearPressure::DoubleDensity;
     scene.grid = Grid { cells: [8; 3], ..Grid::default() };
     scene

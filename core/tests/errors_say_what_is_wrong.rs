@@ -4,7 +4,7 @@ use millpond_core::{Axis, Quantity, RestoreError, SceneError, StepError};
 #[test]
 fn of_a_scene() {
     use SceneError::*;
-    let (axis, field) = (Axis::Y, "model.xsph");
+    let (axis, field) = (Axis::Y, "model.xsph".into());
     let scenes = [
         (NotFinite { field, value: f32::NAN }, "model.xsph is NaN, but must be a finite number"),
         (NotFinite { field, value: f32::INFINITY }, "model.xsph is inf, but must be a finite number"),
@@ -32,12 +32,15 @@ fn of_a_scene() {
         ),
         (TooFewPoints { axis, points: 1 }, "acceleration_field.counts is 1 along y, but must be at least 2"),
         (
-            NoSuchFluid { field: "air.fluid", fluid: 2, fluids: 2 },
+            NoSuchFluid { field: "air.fluid".into(), fluid: 2, fluids: 2 },
             "air.fluid names fluid 2, but fluids has length 2, and fluids are counted from 0",
         ),
-        (NotTogether { choice: "one", other: "another", why: "reason" }, "one conflicts with another: reason"),
         (
-            LeftOut { field: "wind", live: "wind" },
+            NotTogether { choice: "one".into(), other: "another".into(), why: "reason" },
+            "one conflicts with another: reason",
+        ),
+        (
+            LeftOut { field: "wind", item: "wind" },
             "wind cannot be changed, because the plan left out its term; list wind in adjustable",
         ),
         (
@@ -124,7 +127,7 @@ fn of_bytes() {
         ),
         (RestoreError::Damaged, "the saved bytes are damaged: their checksum does not match"),
         (
-            RestoreError::Scene(SceneError::Negative { field: "model.xsph", value: -0.5 }),
+            RestoreError::Scene(SceneError::Negative { field: "model.xsph".into(), value: -0.5 }),
             "the saved values do not form a valid scene: model.xsph is -0.5, but must not be negative",
         ),
     ];

@@ -133,7 +133,7 @@ fn neighbours_of_the_middle_particle() {
             let mut heap = heap_for(&scene, points.len());
             let mut solver = at_rest(&scene, &points, &mut heap);
             let mut neighbours = BTreeMap::<u32, usize>::new();
-            solver.each_pair(|a, _| *neighbours.entry(a).or_default() += 1);
+            solver.neighbours().each_pair(|a, _| *neighbours.entry(a).or_default() += 1);
             let middle = points.len() as u32 / 2;
             assert_eq!(neighbours[&middle], count, "{dimension:?}, {radius} spacings");
         }

@@ -82,7 +82,7 @@ fn with_a_crowd_beside_a_mirroring_wall() {
     let mut scene = Scene { time_step: 1e-12, container: None, ..dam_break_2d(0.3) };
     scene.model.wall_pressure = WallPressure::Mirrored;
     let shape = WallShape::Plane { face: Face::Floor, low: Vec3::new(-0.5, 0.0, 0.0), high: Vec3::new(1.5, 0.0, 0.0) };
-    scene.walls.push(Wall::still(shape)).expect("room for a wall");
+    scene.add_wall(Wall::still(shape)).expect("room for a wall");
     let lists = check("a crowd at a wall", &scene, &with_a_crowd(&scene, start(&scene), 1100), 1);
     assert!(lists.listed > 0 && lists.listed < lists.groups, "{lists:?}");
 }

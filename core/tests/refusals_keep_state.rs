@@ -4,7 +4,9 @@
 //! `gpu/tests/refusals_keep_state.rs` tests that a GPU returns the same errors.
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{GridStructure, InitialParticle, Scene};
-use millpond_core::{Axis, Memory, Plan, Quantity, Requirements, SceneError, Serial, Simd, Solver, StepError, Storage};
+use millpond_core::{
+    Axis, Field, Memory, Plan, Quantity, Requirements, SceneError, Serial, Simd, Solver, StepError, Storage,
+};
 
 mod support;
 use support::refused::{self, Refused, places};
@@ -94,30 +96,33 @@ fn scenes_that_cannot_be() {
     assert_eq!(field(refused(&|s| s.gravity[1] = f32::NAN)), "gravity");
     assert_eq!(field(refused(&|s| s.fluids[0].rest_density = -1000.0)), "fluids[0].rest_density");
     let error = refused(&|s| s.fluids[0].speed_of_sound = 1e30);
-    assert_eq!(error, SceneError::OutOfScale { field: "fluids[0].speed_of_sound", value: 1e30 });
+    assert_eq!(error, SceneError::OutOfScale { field: Field::of_item("fluids.speed_of_sound", 0), value: 1e30 });
     let error = refused(&|s| s.particle_spacing = 3.0);
     assert_eq!(error, SceneError::EmptyBlock { block: 0, axis: Axis::X, size: 1.2 });
     let error = refused(&|s| s.blocks[0].corner[1] = 2.0);
     assert_eq!(error, SceneError::BlockOutside { block: 0, axis: Axis::Y, by: 1.0 });
     assert_eq!(field(refused(&|s| s.fluids[0].dynamic_viscosity = -1.0)), "fluids[0].dynamic_viscosity");
     assert_eq!(field(refused(&|s| s.fluids[0].near_stiffness = Some(-1.0))), "fluids[0].near_stiffness");
-    assert_eq!(field(refused(&|s| s.blocks[0].size[0] = 0.0)), "blocks.size");
-    assert_eq!(field(refused(&|s| s.blocks[0].corner[2] = f32::INFINITY)), "blocks.corner");
+    assert_eq!(field(refused(&|s| s.blocks[0].size[0] = 0.0)), "blocks[0].size");
+    assert_eq!(field(refused(&|s| s.blocks[0].corner[2] = f32::INFINITY)), "blocks[0].corner");
     assert_eq!(field(refused(&|s| s.container.as_mut().expect("a box").restitution = 1.5)), "container.restitution");
     assert_eq!(field(refused(&|s| s.container.as_mut().expect("a box").slip = -0.1)), "container.slip");
     // lengths whose fourth power f32 cannot represent
     let tiny = refused(&|s| (s.particle_spacing, s.blocks[0].size) = (1e-12, Vec3::splat(1e-12)));
-    assert_eq!(tiny, SceneError::OutOfScale { field: "particle_spacing", value: 1e-12 });
+    assert_eq!(tiny, SceneError::OutOfScale { field: "particle_spacing".into(), value: 1e-12 });
     // for support radii whose constants are not finite the error names the neighbours, not the spacing
     for value in [1e30, 1e-30] {
         let (field, least, most) = ("average_neighbours", 0.001, 268_435_455.0);
-        let error = SceneError::OutOfBounds { field, value, least, most };
+        let error = SceneError::OutOfBounds { field: field.into(), value, least, most };
         assert_eq!(refused(&|s| s.average_neighbours = value), error);
     }
     // at 1e4 m f32 resolves a millimetre
     let error = refused(&|s| s.blocks[0].corner[0] = 1e4);
     let most = 65_536.0 * base.particle_spacing;
-    assert_eq!(error, SceneError::OutOfBounds { field: "blocks.corner", value: 1e4, least: -most, most });
+    assert_eq!(
+        error,
+        SceneError::OutOfBounds { field: Field::of_item("blocks.corner", 0), value: 1e4, least: -most, most }
+    );
     let error = refused(&|s| s.container.as_mut().expect("a box").high[1] = 0.0);
     assert_eq!(error, SceneError::EmptyContainer { axis: Axis::Y, low: 0.0, high: 0.0 });
     assert_eq!(refused(&|s| s.grid.cells[2] = 2), SceneError::TooFewCells { axis: Axis::Z, cells: 2 });

@@ -23,7 +23,7 @@ fn refused(sentence: &str, change: impl FnOnce(&mut Scene)) {
 
 /// Adds a second fluid and a layer of air made of it.
 fn air(s: &mut Scene) {
-    let _ = s.fluids.push(Fluid::default());
+    s.add_fluid(Fluid::default()).expect("room for a fluid");
     s.air = Some(Air { fluid: 1, capacity: 10, threshold: 0.5, minimum_density: 0.5 });
 }
 
@@ -182,11 +182,12 @@ fn properties_of_fluids_by_name() {
         "fluids[1].stiffness conflicts with an equation_of_state other than Tait: it is the constant of Tait's \
          equation; omit it, or use equation_of_state Tait",
         |s| {
-            let _ = s.fluids.push(Fluid {
+            s.add_fluid(Fluid {
                 stiffness: Some(1000.0),
                 equation_of_state: Some(EquationOfState::Linear),
                 ..Fluid::default()
-            });
+            })
+            .expect("room for a fluid");
         },
     );
     refused(
@@ -326,7 +327,7 @@ fn air_and_integrators_by_name() {
     use Integrator::*;
     for &integrator in Integrator::ALL {
         let with_air = |s: &mut Scene| {
-            let _ = s.fluids.push(Fluid::default());
+            s.add_fluid(Fluid::default()).expect("room for a fluid");
             s.air = Some(Air { fluid: 1, capacity: 10, threshold: 0.5, minimum_density: 0.5 });
             s.model.integrator = integrator;
         };

@@ -135,7 +135,7 @@ fn the_lighter_of_two_fluids_is_moved_the_more() {
     let mut scene = falling();
     scene.fluids[0].dynamic_viscosity = 100.0;
     assert_relative_eq!(checked(&scene).derived().kinematic_viscosity, 0.1);
-    let _ = scene.fluids.push(Fluid { rest_density: 1.0, dynamic_viscosity: 0.0, ..Fluid::default() });
+    scene.add_fluid(Fluid { rest_density: 1.0, dynamic_viscosity: 0.0, ..Fluid::default() }).expect("room for a fluid");
     // at the interface the mean of 100 and 0 Pa s acts on 1 kg/m3
     assert_relative_eq!(checked(&scene).derived().kinematic_viscosity, 50.0);
 }
@@ -144,7 +144,7 @@ fn the_lighter_of_two_fluids_is_moved_the_more() {
 fn stiffness_follows_a_wanted_step() {
     let mut scene = falling();
     (scene.adaptive, scene.stiffness_for_time_step, scene.time_step) = (None, Some(0.2), 5e-4);
-    let _ = scene.fluids.push(Fluid { speed_of_sound: 5.0, ..Fluid::default() });
+    scene.add_fluid(Fluid { speed_of_sound: 5.0, ..Fluid::default() }).expect("room for a fluid");
     let fastest = 0.2 * support_radius(&scene) / 5e-4;
     assert_relative_eq!(speed_of_sound(&scene, &scene.fluids[0]), fastest, max_relative = 1e-6);
     assert_relative_eq!(speed_of_sound(&scene, &scene.fluids[1]), fastest / 4.0, max_relative = 1e-6);

@@ -18,7 +18,7 @@ fn disc(model: Formulation, in_a_like_fluid: bool) -> Vec<Particle> {
     let fluid = Fluid { surface_tension: if model.surface_normals { 0.0 } else { 1.0 }, ..Fluid::default() };
     let mut scene =
         Scene::of(Dimension::Two, SPACING, 1e-4, fluid, Block { size: Vec3::new(1.0, 1.0, 0.0), ..Block::default() });
-    let _ = scene.fluids.push(fluid);
+    scene.add_fluid(fluid).expect("room for a fluid");
     scene.average_neighbours = 50.0;
     scene.model = model;
     let lattice = (-HALF..HALF).flat_map(|y| (-HALF..HALF).map(move |x| [f32::from(x) + 0.5, f32::from(y) + 0.5]));

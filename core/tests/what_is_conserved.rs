@@ -16,7 +16,7 @@ fn collision(model: Formulation) -> Scene {
         Block { size: Vec3::new(0.3, 0.4, 0.2), velocity: Vec3::new(1.0, 0.2, 0.0), jitter: 0.3, ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, 0.05, 0.0005, fluid, block);
     let other = Block { corner: Vec3::new(0.33, 0.1, 0.05), velocity: Vec3::new(-1.0, 0.0, 0.1), ..block };
-    let _ = scene.blocks.push(other);
+    scene.add_block(other).expect("room for a block");
     scene.model = model;
     scene.grid = Grid { cells: [8, 8, 8], ..Grid::default() };
     scene
@@ -49,7 +49,7 @@ const ROUNDING: f64 = 48.0 * 3e-6;
 fn two_fluids(model: Formulation) -> Scene {
     let mut scene = collision(Formulation { negative_pressure: false, viscosity_kernel: Kernel::CubicSpline, ..model });
     let light = Fluid { rest_density: 700.0, speed_of_sound: 18.0, dynamic_viscosity: 1.0, ..scene.fluids[0] };
-    let _ = scene.fluids.push(light);
+    scene.add_fluid(light).expect("room for a fluid");
     scene.blocks[1].fluid = 1;
     // the exchanged fractions add up to less than 1 for every particle, so that none is reduced
     scene.model.velocity_exchange = 0.02;

@@ -14,21 +14,23 @@ use millpond_core::{Array, SceneError};
 
 impl GpuSolver {
     /// Sets the acceleration field supplied by the caller, from the next step on, as
-    /// [`Solver::set_field`](millpond_core::Solver::set_field) does.
+    /// [`Solver::set_acceleration_field`](millpond_core::Solver::set_acceleration_field) does.
     ///
     /// # Errors
     /// [`SceneError::WrongLength`] if the scene has fewer or more nodes, [`SceneError::NotFinite`] for a value that is
     /// not finite, and [`GpuError::BeforeFirstStep`] before the first step of the fluid. The field stays as it was.
-    pub fn set_field(&mut self, points: &[f32x4]) -> Result<(), GpuError> {
+    pub fn set_acceleration_field(&mut self, points: &[f32x4]) -> Result<(), GpuError> {
         let (given, expected) = (points.len(), self.buffers.counts().field_nodes);
         if given != expected {
-            return Err(SceneError::WrongLength { call: "set_field", what: "points", given, expected }.into());
+            return Err(
+                SceneError::WrongLength { call: "set_acceleration_field", what: "points", given, expected }.into()
+            );
         }
         if let Some(&value) = points.as_flattened().iter().find(|x| !x.is_finite()) {
-            return Err(SceneError::NotFinite { field: "acceleration_field", value }.into());
+            return Err(SceneError::NotFinite { field: "acceleration_field".into(), value }.into());
         }
         if expected > 0 {
-            self.has_begun("set_field")?;
+            self.has_begun("set_acceleration_field")?;
             let field = self.buffers.array(Array::acceleration_field, Side::Only, 0);
             self.gpu.queue.write_buffer(field, 0, bytemuck::cast_slice(points));
         }

@@ -22,7 +22,7 @@ pub struct Gpu {
     pub(crate) queue: wgpu::Queue,
     pub(crate) info: wgpu::AdapterInfo,
     pub(crate) mode: Mode,
-    pub(crate) words: Intrinsics,
+    pub(crate) intrinsics: Intrinsics,
     pub(crate) float_controls: FloatControls,
 }
 
@@ -55,8 +55,8 @@ impl Gpu {
 
     /// Returns where division and square root come from on this device.
     #[must_use]
-    pub fn words(&self) -> Intrinsics {
-        self.words
+    pub fn intrinsics(&self) -> Intrinsics {
+        self.intrinsics
     }
 
     /// Returns the float controls that the driver offers. Strict mode requests all of these.

@@ -47,9 +47,9 @@ impl Gpu {
             return Err(no_strict_mode(&info));
         }
         let float_controls = FloatControls::offered_by(&device);
-        let mut gpu = Gpu { device, queue, info, mode, words: Intrinsics::Native, float_controls };
+        let mut gpu = Gpu { device, queue, info, mode, intrinsics: Intrinsics::Native, float_controls };
         if mode == Mode::Strict && gpu.verify_intrinsics().is_err() {
-            gpu.words = Intrinsics::Exact;
+            gpu.intrinsics = Intrinsics::Exact;
             gpu.verify_intrinsics()?;
         }
         Ok(gpu)
@@ -82,7 +82,7 @@ impl Gpu {
 
     /// Returns an error if an intrinsic has other bits than core's.
     fn verify_intrinsics(&self) -> Result<(), GpuError> {
-        let reports = self.with_error_scopes(|| test_intrinsics(self, &self.words.prelude()))?;
+        let reports = self.with_error_scopes(|| test_intrinsics(self, &self.intrinsics.prelude()))?;
         match reports.into_iter().find(|report| report.differing > 0) {
             None => Ok(()),
             Some(WordReport { word, tried, differing }) => {

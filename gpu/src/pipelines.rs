@@ -206,7 +206,7 @@ fn pipeline(gpu: &Gpu, pass: Pass, model: &Model) -> Result<(wgpu::BindGroupLayo
     }
     let mut kinds = vec![wgpu::BufferBindingType::Uniform; UNIFORMS as usize];
     kinds.extend(declared.iter().map(kind));
-    make_pipeline(gpu, pass.name(), &program(pass, model, gpu.words), workgroup(pass), &kinds)
+    make_pipeline(gpu, pass.name(), &program(pass, model, gpu.intrinsics), workgroup(pass), &kinds)
 }
 
 /// Creates the pipeline of a complete program whose bindings 0, 1, 2 ... are buffers of these kinds.

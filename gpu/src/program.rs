@@ -54,13 +54,13 @@ millpond_core::with_passes!(loop_texts);
 
 /// Returns the intrinsics and all terms without a pass, for tests of single terms.
 #[must_use]
-pub fn library(model: &Model, words: Intrinsics) -> String {
-    vocabulary(model, words) + &Functions::of_terms().whole()
+pub fn library(model: &Model, intrinsics: Intrinsics) -> String {
+    head(model, intrinsics) + &Functions::of_terms().whole()
 }
 
 /// Returns the intrinsics, the constants of the scene and its choices.
-fn vocabulary(model: &Model, words: Intrinsics) -> String {
-    let mut out = words.prelude();
+fn head(model: &Model, intrinsics: Intrinsics) -> String {
+    let mut out = intrinsics.prelude();
     out += &format!("alias Planes = array<f32x4, {PLANES}>;\nalias MaterialRows = array<f32x4, {MATERIALS}>;\n");
     out +=
         &format!("const QUANTITIES_OF_ID: u32 = {QUANTITIES_OF_ID}u;\nconst MOST_ATTEMPTS: u32 = {MOST_ATTEMPTS}u;\n");
@@ -81,8 +81,8 @@ fn vocabulary(model: &Model, words: Intrinsics) -> String {
 
 /// Returns the program of a pass. Its entry point is named `main`.
 #[must_use]
-pub fn program(pass: Pass, model: &Model, words: Intrinsics) -> String {
-    let mut out = vocabulary(model, words);
+pub fn program(pass: Pass, model: &Model, intrinsics: Intrinsics) -> String {
+    let mut out = head(model, intrinsics);
     out += include_str!("shaders/grid.wgsl");
     if reads_pairs(pass) {
         out += include_str!("shaders/local.wgsl");

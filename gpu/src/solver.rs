@@ -220,7 +220,7 @@ impl GpuSolver {
     /// [`GpuError::Device`] if the device fails.
     pub fn air(&self) -> Result<AirReport, GpuError> {
         let status = self.status()?;
-        Ok(AirReport { alive: status.air_alive, refused: u64::from(status.air_refused) })
+        Ok(AirReport { active: status.air_alive, refused: u64::from(status.air_refused) })
     }
 
     /// Reads the status that the last step wrote. It waits for the device.

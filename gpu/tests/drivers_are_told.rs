@@ -1,6 +1,6 @@
 //! Promise: the SPIR-V that a driver gets in strict mode contains everything that strict mode requests: `NoContraction`
 //! on every result of float arithmetic, and exactly those float controls that the device offers. The test needs no
-//! device; `vocabulary_parity.rs` checks how drivers compute.
+//! device; `intrinsics_parity.rs` checks how drivers compute.
 use millpond_gpu::FloatControls;
 use millpond_gpu::strict::spirv;
 

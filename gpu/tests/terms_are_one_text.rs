@@ -31,16 +31,16 @@ type Program = (Module, ModuleInfo);
 
 #[test]
 fn every_pass_and_every_term_compiles_as_wgsl() {
-    for words in [Intrinsics::Native, Intrinsics::Exact] {
+    for intrinsics in [Intrinsics::Native, Intrinsics::Exact] {
         // the program of a pass contains only the terms that it calls, so all terms are validated here
-        if let Err(error) = validate(&library(&model(), words)) {
-            panic!("all terms, {words:?}: {error}");
+        if let Err(error) = validate(&library(&model(), intrinsics)) {
+            panic!("all terms, {intrinsics:?}: {error}");
         }
     }
     for pass in Pass::ALL {
-        for words in [Intrinsics::Native, Intrinsics::Exact] {
-            if let Err(error) = validate(&program(pass, &model(), words)) {
-                panic!("{}, {words:?}: {error}", pass.name());
+        for intrinsics in [Intrinsics::Native, Intrinsics::Exact] {
+            if let Err(error) = validate(&program(pass, &model(), intrinsics)) {
+                panic!("{}, {intrinsics:?}: {error}", pass.name());
             }
         }
     }
@@ -83,14 +83,14 @@ fn loose(program: &Program) -> BTreeSet<String> {
 
 #[test]
 fn no_program_uses_a_loose_builtin() {
-    for words in [Intrinsics::Native, Intrinsics::Exact] {
-        let read = validate(&library(&model(), words)).expect("it compiles");
-        assert_eq!(loose(&read), BTreeSet::new(), "all terms, {words:?}");
+    for intrinsics in [Intrinsics::Native, Intrinsics::Exact] {
+        let read = validate(&library(&model(), intrinsics)).expect("it compiles");
+        assert_eq!(loose(&read), BTreeSet::new(), "all terms, {intrinsics:?}");
     }
     for pass in Pass::ALL {
-        for words in [Intrinsics::Native, Intrinsics::Exact] {
-            let read = validate(&program(pass, &model(), words)).expect("it compiles");
-            assert_eq!(loose(&read), BTreeSet::new(), "{}, {words:?}", pass.name());
+        for intrinsics in [Intrinsics::Native, Intrinsics::Exact] {
+            let read = validate(&program(pass, &model(), intrinsics)).expect("it compiles");
+            assert_eq!(loose(&read), BTreeSet::new(), "{}, {intrinsics:?}", pass.name());
         }
     }
     // the lint finds every fault of a bad program

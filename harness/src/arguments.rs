@@ -2,6 +2,7 @@
 use crate::failure::Failure;
 use crate::run_length::RunLength;
 use crate::scenes::Changes;
+use clap::builder::RangedU64ValueParser;
 use clap::{Args, ValueEnum};
 use millpond_core::scene::Scene;
 use std::path::PathBuf;
@@ -24,7 +25,7 @@ pub struct Common {
     #[expect(missing_docs, reason = "its fields say it to the user")]
     pub changes: Changes,
     /// Number of threads of the CPU backend (0: one per core; in `compare` two, in `error` one)
-    #[arg(long, default_value_t = 0, value_name = "N")]
+    #[arg(long, default_value_t = 0, value_name = "N", value_parser = number_of_threads())]
     pub threads: usize,
     /// Print one JSON document on stdout, and everything else on stderr
     #[arg(long)]
@@ -34,14 +35,23 @@ pub struct Common {
     pub out: Option<PathBuf>,
 }
 
+/// Returns the parser of a number of threads.
+#[must_use]
+pub fn number_of_threads() -> RangedU64ValueParser<usize> {
+    RangedU64ValueParser::new().range(0..=MOST_THREADS)
+}
+
+/// Largest number of threads: more than any machine has that runs this program, and few enough to start.
+const MOST_THREADS: u64 = 1024;
+
 /// How long a scene runs.
 #[derive(Clone, Copy, Debug, Default, Args)]
 pub struct Length {
-    /// Number of time steps to make
-    #[arg(long, value_name = "N", conflicts_with = "time")]
+    /// Number of time steps to make (default: `run` makes the steps of the scene's duration, `compare` 200)
+    #[arg(long, value_name = "N", conflicts_with = "time", allow_negative_numbers = true)]
     pub steps: Option<u64>,
     /// Simulated time to run, s
-    #[arg(long, value_name = "SECONDS")]
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
     pub time: Option<f64>,
 }
 

@@ -10,11 +10,15 @@ use clap::{Parser, Subcommand};
 ///
 /// Without a command, millpond runs the showcase, which takes about a minute.
 #[derive(Debug, Parser)]
-#[command(name = "millpond", version)]
+#[command(name = "millpond", version, after_help = EXIT_STATUSES)]
 pub struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
 }
+
+/// What the exit status of the program says.
+const EXIT_STATUSES: &str = "Exit status: 0 done and every promise kept; 1 a promise or a time step failed; 2 the arguments or \
+the scene are wrong; 3 no such backend on this machine; 4 a result could not be written.";
 
 #[derive(Debug, Subcommand)]
 enum Command {

@@ -104,7 +104,7 @@ fn other_grid(scene: &Scene, solver: &mut Solver<'_>) -> Scene {
     let mut other = scene.clone();
     other.grid.structure = match scene.grid.structure {
         GridStructure::IndexSort => {
-            GridStructure::CellLists { places: solver.fullest_cell().saturating_mul(4).max(64) }
+            GridStructure::CellLists { places: solver.neighbours().fullest_cell().saturating_mul(4).max(64) }
         }
         GridStructure::CellLists { .. } => GridStructure::IndexSort,
     };

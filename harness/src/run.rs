@@ -115,8 +115,8 @@ pub fn run(
     };
     let air = match scene.air {
         Some(_) => {
-            let AirReport { alive, refused } = fluid.air()?;
-            Some(Air { alive, refused })
+            let AirReport { active, refused } = fluid.air()?;
+            Some(Air { alive: active, refused })
         }
         None => None,
     };

@@ -1,11 +1,12 @@
 //! Scene files: RON text in which unknown fields are errors. Some scenes are built in. `--set` can change every field.
 use crate::failure::Failure;
+use crate::overrides::{indexed, set};
+use crate::scene_errors::explained;
 use crate::scene_text::{current, line_of};
 use glam::Vec3;
 use millpond_core::scene::{Container, Periodic, Scene, WallShape};
 use millpond_core::{Checked, Requirements, SceneError};
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 use std::path::Path;
 
 /// A scene, how long it runs, and how it is drawn.
@@ -99,7 +100,8 @@ pub const MOST_BYTES: usize = 1 << 32;
 /// Changes to a scene that the caller asks for.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub struct Changes {
-    /// Override one field of the scene, named by the end of its path: time_step=0.0005, fluid.speed_of_sound=30
+    /// Override one field of the scene, named by the end of its path, with a value as in a scene file: time_step=0.0005,
+    /// fluid.speed_of_sound=30, gravity=(0,-1.6,0)
     #[arg(long, value_name = "FIELD=VALUE")]
     pub set: Vec<String>,
     /// Approximate number of fluid particles: scales all lengths of the scene and keeps the particle spacing
@@ -132,6 +134,9 @@ pub fn load(name: &str, changes: &Changes) -> Result<LoadedScene, Failure> {
     }
     let refuse = |error| refusal(&text, &origin, changes, was_valid, error);
     let now = file.scene.check().map_err(refuse)?.derived().fluid_particles;
+    if now == 0 {
+        return Err(Failure::Call(format!("{}: blocks is empty, so the scene has no fluid", origin.display())));
+    }
     if let Some(particles) = changes.particles {
         scale(&mut file.scene, now, particles)?;
     }
@@ -140,14 +145,15 @@ pub fn load(name: &str, changes: &Changes) -> Result<LoadedScene, Failure> {
         return Err(Failure::Call(format!("the scene needs {bytes} bytes of memory, and the limit is {MOST_BYTES}")));
     }
     if !(file.duration.is_finite() && file.duration > 0.0) {
-        return Err(Failure::Call(format!("duration is {} and must be larger than 0", file.duration)));
+        return Err(Failure::Call(format!(
+            "{}: duration is {} s, but must be larger than 0",
+            origin.display(),
+            file.duration
+        )));
     }
     let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned());
     Ok(LoadedScene { name: if built_in.is_some() { name.to_owned() } else { stem.unwrap_or_default() }, file })
 }
-
-/// Fields that fluids had in the first version, and that are the formulation's now.
-const MOVED: [&str; 6] = ["alpha", "beta", "velocity_exchange", "radial_exchange", "xsph", "heat_gain"];
 
 /// Parses the RON text of a scene.
 fn parse(text: &str, origin: &Path) -> Result<SceneFile, Failure> {
@@ -156,11 +162,7 @@ fn parse(text: &str, origin: &Path) -> Result<SceneFile, Failure> {
         let line = e.span.start.line;
         // ron does not always name the field, so the line is quoted
         let quoted = text.lines().nth(line.saturating_sub(1)).unwrap_or_default().trim();
-        let is_moved =
-            |field: &&&str| quoted.contains(&format!("{field}:")) && e.code.to_string().contains(&format!("`{field}`"));
-        let moved =
-            MOVED.iter().find(is_moved).map_or(String::new(), |field| format!(" ({field} is a field of model now)"));
-        Failure::SceneText { file: origin.to_owned(), line, message: format!("{}, at `{quoted}`{moved}", e.code) }
+        Failure::SceneText { file: origin.to_owned(), line, message: explained(&e.code, quoted) }
     })
 }
 
@@ -186,69 +188,10 @@ fn refusal(text: &str, origin: &Path, changes: &Changes, was_valid: bool, error:
     Failure::Scene { origin: format!("{}{line}", origin.display()), error }
 }
 
-/// Returns a path as errors write it: items of lists in brackets, and the first fluid by its number.
-fn indexed(path: &str) -> String {
-    let path = path.strip_prefix("fluid.").map_or(path.to_owned(), |rest| format!("fluids.0.{rest}"));
-    path.split('.').fold(String::new(), |out, step| match step.parse::<usize>() {
-        Ok(item) => format!("{out}[{item}]"),
-        Err(_) if out.is_empty() => step.to_owned(),
-        Err(_) => format!("{out}.{step}"),
-    })
-}
-
-/// Returns `file` changed by the argument of a `--set`.
-fn set(file: &SceneFile, change: &str) -> Result<SceneFile, Failure> {
-    let wrong = |what: String| Failure::Call(format!("--set {change}: {what}"));
-    let (field, value) = change.split_once('=').ok_or_else(|| wrong("give FIELD=VALUE".into()))?;
-    with(file, field, value).map_err(wrong)
-}
-
-/// Returns `file` with one field changed. A field is named by the end of its path; of several matches the shortest path
-/// wins.
-///
-/// # Errors
-/// An unknown or ambiguous field, or a value that does not fit, as text.
-pub(crate) fn with(file: &SceneFile, field: &str, value: &str) -> Result<SceneFile, String> {
-    let value: Value = serde_json::from_str(value).unwrap_or_else(|_| Value::String(value.to_owned()));
-    let mut tree = serde_json::to_value(file).map_err(|e| e.to_string())?;
-    let mut paths = Vec::new();
-    collect_paths(&tree, "", &mut paths);
-    // items of a list may be named as in RON, and `fluid` stands for the first fluid
-    let path = indexed(field).replace('[', ".").replace(']', "");
-    let ending = format!("/{}", path.replace('.', "/"));
-    let matches: Vec<&String> = paths.iter().filter(|path| path.ends_with(&ending)).collect();
-    let shortest = matches.iter().map(|path| path.matches('/').count()).min();
-    let mut best = matches.iter().filter(|path| Some(path.matches('/').count()) == shortest);
-    let (Some(path), None) = (best.next(), best.next()) else {
-        return Err(match matches.len() {
-            0 => format!("no field {field}"),
-            n => format!("{field} matches {n} fields: give more of its path"),
-        });
-    };
-    if let Some(place) = tree.pointer_mut(path) {
-        *place = value;
-    }
-    serde_json::from_value(tree).map_err(|e| e.to_string())
-}
-
-/// Collects the JSON pointers of all values in a tree.
-fn collect_paths(tree: &Value, prefix: &str, out: &mut Vec<String>) {
-    let mut add = |key: &str, value: &Value| {
-        let path = format!("{prefix}/{key}");
-        collect_paths(value, &path, out);
-        out.push(path);
-    };
-    match tree {
-        Value::Object(fields) => fields.iter().for_each(|(key, value)| add(key, value)),
-        Value::Array(items) => items.iter().enumerate().for_each(|(i, value)| add(&i.to_string(), value)),
-        _ => {}
-    }
-}
-
 /// Scales all lengths of a scene of `now` fluid particles at constant spacing, so that it has about `particles`.
 fn scale(scene: &mut Scene, now: usize, particles: u64) -> Result<(), Failure> {
-    if now == 0 || particles == 0 {
-        return Err(Failure::Call(format!("--particles {particles}: cannot scale a scene of {now} fluid particles")));
+    if particles == 0 {
+        return Err(Failure::Call("--particles must be at least 1".into()));
     }
     let factor = (particles as f64 / now as f64).powf(1.0 / scene.dimension.count() as f64);
     let grow = |lengths: &mut Vec3| *lengths = lengths.map(|x| (f64::from(x) * factor) as f32);

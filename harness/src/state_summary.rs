@@ -77,7 +77,7 @@ pub fn summarize(scene: &Scene, state: &Snapshot) -> Result<StateSummary, Failur
     let mut solver = solver.map_err(refused)?;
     let speed = |v: &f32x4| v[..3].iter().map(|x| f64::from(*x) * f64::from(*x)).sum::<f64>().sqrt();
     Ok(StateSummary {
-        average_neighbours: solver.average_neighbours(),
+        average_neighbours: solver.neighbours().average(),
         density_error: solver.density_error(),
         energies: solver.energies(),
         time_step: f64::from(state.clock.time_step),

@@ -55,7 +55,10 @@ pub fn warnings(scene: &Checked<'_>, state: &StateSummary, births_refused: u64) 
     let compression = state.density_error.mean;
     if compression > COMPRESSION_LIMIT {
         let percent = compression * 100.0;
-        warnings.push(format!("the fluid is compressed by {percent:.1} % on average: increase speed_of_sound"));
+        warnings.push(format!(
+            "the fluid is compressed by {percent:.1} % on average: increase speed_of_sound, and shorten time_step in \
+             proportion"
+        ));
     }
     warnings
 }
@@ -83,8 +86,8 @@ fn courant(Courant { speed, sound, .. }: Courant) -> Option<String> {
     let courant = sound + speed;
     (courant > COURANT_LIMIT).then(|| {
         format!(
-            "Courant number {courant:.2} is larger than {COURANT_LIMIT}: use a smaller time_step or speed_of_sound, or \
-             set adaptive"
+            "Courant number {courant:.2} is larger than {COURANT_LIMIT}: use a smaller time_step, or set \
+             adaptive"
         )
     })
 }

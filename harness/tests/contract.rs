@@ -122,7 +122,7 @@ fn documents_have_the_keys_that_others_rely_on() {
 
 #[test]
 fn one_field_can_be_set() {
-    let slow = json(&["run", "dam-break-2d", "--steps", "2", "--set", "gravity=[0, -1, 0]", "--json"]);
+    let slow = json(&["run", "dam-break-2d", "--steps", "2", "--set", "gravity=(0, -1, 0)", "--json"]);
     let plain = json(&["run", "dam-break-2d", "--steps", "2", "--json"]);
     assert_ne!(slow["hash"], plain["hash"]);
     let named = json(&["run", "dam-break-2d", "--steps", "2", "--set", "fluid.speed_of_sound=25", "--json"]);
@@ -136,6 +136,11 @@ fn bad_calls_are_refused_with_status_2() {
         (&["run", "no-such-scene"], "no scene \"no-such-scene\""),
         (&["run", "no-such-file.ron"], "no-such-file.ron"),
         (&["run", "dam-break", "--set", "no_such_field=1"], "no field no_such_field"),
+        (&["run", "dam-break", "--set", "time_stp=1"], "no field time_stp; did you mean time_step?"),
+        (&["run", "dam-break", "--set", "recovery=ShortenStep(times: 99)"], "recovery.times is 99"),
+        (&["run", "dam-break", "--threads", "5000"], "5000 is not in 0..=1024"),
+        (&["run", "dam-break", "--steps", "-1"], "invalid value '-1' for '--steps <N>'"),
+        (&["run", "dam-break", "--set", "blocks=[]"], "blocks is empty"),
         (&["run", "dam-break", "--set", "time_step"], "FIELD=VALUE"),
         (&["run", "dam-break", "--set", "time_step=fast"], "invalid type"),
         (&["run", "dam-break", "--set", "dimension=Four"], "Four"),

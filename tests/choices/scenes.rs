@@ -11,7 +11,7 @@ pub fn base(dimension: Dimension) -> Scene {
     let mut scene = Scene::of(dimension, 0.05, 0.001, fluid, block);
     let velocity = Vec3::new(-1.0, 0.5, 0.0);
     let other = Block { corner: Vec3::new(0.42, 0.05, 0.1), size: Vec3::new(0.2, 0.3, depth), velocity, ..block };
-    let _ = scene.blocks.push(other);
+    scene.add_block(other).expect("room for a block");
     scene.gravity = Vec3::new(1.0, -9.81, 0.0);
     scene.average_neighbours = if dimension == Dimension::Three { 30.0 } else { 18.0 };
     scene.grid = Grid { cells: [8, 8, 4], ..Grid::default() };
@@ -27,7 +27,7 @@ pub fn falls(s: &mut Scene) {
 /// Turns the second block into another fluid, lighter and with a higher speed of sound.
 pub fn second_fluid(s: &mut Scene) {
     let light = Fluid { rest_density: 700.0, speed_of_sound: 12.0, dynamic_viscosity: 5.0, ..Fluid::default() };
-    let _ = s.fluids.push(light);
+    s.add_fluid(light).expect("room for a fluid");
     s.blocks[1].fluid = 1;
 }
 

@@ -1,5 +1,5 @@
 //! Errors of scenes: why a scene cannot run, or a change of it cannot be made.
-use super::StepError;
+use super::{Field, StepError};
 use crate::axis::Axis;
 use crate::plan::arrays::Quantity;
 use core::fmt;
@@ -11,7 +11,7 @@ pub enum SceneError {
     /// A field is NaN or infinite.
     NotFinite {
         /// Path of the field.
-        field: &'static str,
+        field: Field,
         /// Value of the field.
         value: f32,
     },
@@ -20,35 +20,35 @@ pub enum SceneError {
     /// A list of the scene is full, so no item can be added.
     ListIsFull {
         /// Path of the list.
-        field: &'static str,
+        field: Field,
         /// Largest number of items.
         capacity: u32,
     },
     /// A field must be larger than zero.
     NotPositive {
         /// Path of the field.
-        field: &'static str,
+        field: Field,
         /// Value of the field.
         value: f32,
     },
     /// A field must not be negative.
     Negative {
         /// Path of the field.
-        field: &'static str,
+        field: Field,
         /// Value of the field.
         value: f32,
     },
     /// A field must lie between 0 and 1.
     NotAShare {
         /// Path of the field.
-        field: &'static str,
+        field: Field,
         /// Value of the field.
         value: f32,
     },
     /// A field lies outside of its bounds.
     OutOfBounds {
         /// Path of the field.
-        field: &'static str,
+        field: Field,
         /// Value of the field.
         value: f32,
         /// Smallest allowed value.
@@ -134,7 +134,7 @@ pub enum SceneError {
     /// An index of a fluid that the scene does not have.
     NoSuchFluid {
         /// Path of the field, or name of the method, that has the index.
-        field: &'static str,
+        field: Field,
         /// The index.
         fluid: u32,
         /// Number of fluids of the scene, which are counted from 0.
@@ -143,9 +143,9 @@ pub enum SceneError {
     /// Two settings cannot be combined.
     NotTogether {
         /// Path of a field with its value, or name of a method.
-        choice: &'static str,
+        choice: Field,
         /// The setting that it conflicts with.
-        other: &'static str,
+        other: Field,
         /// The reason, and what to change.
         why: &'static str,
     },
@@ -154,7 +154,7 @@ pub enum SceneError {
         /// Name of the coefficient.
         field: &'static str,
         /// Item that [`Scene::adjustable`](crate::scene::Scene::adjustable) must contain to keep the term.
-        live: &'static str,
+        item: &'static str,
     },
     /// The pressure correction with [`Iteration::Literal`](crate::scene::Iteration::Literal) would diverge, because
     /// sound travels too far in a step.
@@ -168,7 +168,7 @@ pub enum SceneError {
     /// lattice.
     OutOfScale {
         /// Path of the field.
-        field: &'static str,
+        field: Field,
         /// Value of the field.
         value: f32,
     },
@@ -286,8 +286,8 @@ impl fmt::Display for SceneError {
                 write!(f, "{field} names fluid {fluid}, but fluids has length {fluids}, and fluids are counted from 0")
             }
             SceneError::NotTogether { choice, other, why } => write!(f, "{choice} conflicts with {other}: {why}"),
-            SceneError::LeftOut { field, live } => {
-                write!(f, "{field} cannot be changed, because the plan left out its term; list {live} in adjustable")
+            SceneError::LeftOut { field, item } => {
+                write!(f, "{field} cannot be changed, because the plan left out its term; list {item} in adjustable")
             }
             SceneError::CannotConverge { spacings, most } => {
                 write!(f, "time_step lets sound travel {spacings} particle spacings, but model.correction.iteration ")?;

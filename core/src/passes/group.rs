@@ -47,7 +47,7 @@ macro_rules! fold {
     ($group:ident: $R:ident, |$slots:ident| $parts:expr) => {
         $crate::passes::group::fold!(@ $group: $R, true, |$slots| $parts)
     };
-    ($group:ident: $R:ident, adds nothing to itself, |$slots:ident| $parts:expr) => {
+    ($group:ident: $R:ident, is zero with itself, |$slots:ident| $parts:expr) => {
         $crate::passes::group::fold!(@ $group: $R, false, |$slots| $parts)
     };
     (@ $group:ident: $R:ident, $is_masked:literal, |$slots:ident| $parts:expr) => {{

@@ -2,6 +2,7 @@
 //!
 //! A scene is plain data in SI units. [`Scene::check`] returns whether it can run; everything that is derived from a
 //! scene is computed elsewhere.
+mod adjustable;
 mod air;
 mod choice;
 mod elasticity;
@@ -9,12 +10,12 @@ mod fluid;
 mod initial;
 #[cfg(feature = "serde")]
 mod list;
-mod live;
 mod model;
 mod recovery;
 mod surroundings;
 mod time;
 
+pub use adjustable::Adjustable;
 pub use air::Air;
 pub use choice::{
     DensityForm, Dimension, EquationOfState, Evaluation, FACES, Face, GridStructure, Integrator, Iteration, Kernel,
@@ -23,7 +24,6 @@ pub use choice::{
 pub use elasticity::{Elasticity, Plasticity};
 pub use fluid::{Block, FLUIDS, Fluid};
 pub use initial::InitialParticle;
-pub use live::Adjustable;
 pub use model::{Correction, Formulation, SupportRange};
 pub use recovery::Recovery;
 pub use surroundings::{AccelerationField, Container, Grid, Periodic, WALLS, Wall, WallShape, Wind};
@@ -129,7 +129,7 @@ fn default_average_neighbours() -> f32 {
 
 /// Adds an item to a list of a scene; `field` names the list in the error.
 fn push<T, const N: usize>(list: &mut Vec<T, N>, item: T, field: &'static str) -> Result<(), SceneError> {
-    list.push(item).map_err(|_| SceneError::ListIsFull { field, capacity: N as u32 })
+    list.push(item).map_err(|_| SceneError::ListIsFull { field: field.into(), capacity: N as u32 })
 }
 
 impl Scene {

@@ -1,9 +1,9 @@
 //! Checks combinations of choices. The errors name both choices, the reason, and what to change.
-use super::bounds::{field, not_together, positive};
+use super::bounds::{bounded, not_together, positive};
 use super::time::integrator;
 use super::traversal;
 use crate::derive::scales::Scales;
-use crate::error::SceneError;
+use crate::error::{Field, SceneError};
 use crate::scene::{
     Adjustable, Air, Correction, DensityForm, Elasticity, EquationOfState, Evaluation, Fluid, GridStructure, Iteration,
     Kernel, NearPressure, PressureForce, Scene, SurfaceTension, Viscosity, WallPressure,
@@ -155,18 +155,23 @@ fn pressure(scene: &Scene) -> Result<(), SceneError> {
     let unused = |fluid: &Fluid| fluid.stiffness.is_some() && scene.equation_of(fluid) != EquationOfState::Tait;
     if let Some(number) = scene.fluids.iter().position(unused) {
         if scene.corrects_pressure() {
-            let (field, solver) = (field!(number, "stiffness"), "model.pressure_solver PressureCorrection");
+            let (field, solver) =
+                (Field::of_item("fluids.stiffness", number), "model.pressure_solver PressureCorrection");
             return Err(not_together(field, solver, "it is unused, because pressure is iterated; omit it"));
         }
         return Err(not_together(
-            field!(number, "stiffness"),
+            Field::of_item("fluids.stiffness", number),
             "an equation_of_state other than Tait",
             "it is the constant of Tait's equation; omit it, or use equation_of_state Tait",
         ));
     }
     let stiff = |fluid: &Fluid| fluid.near_stiffness.is_some_and(|k| k > 0.0);
     if let Some(number) = scene.fluids.iter().position(stiff).filter(|_| model.near_pressure == NearPressure::Off) {
-        return Err(not_together(field!(number, "near_stiffness"), "model.near_pressure Off", "it is unused; omit it"));
+        return Err(not_together(
+            Field::of_item("fluids.near_stiffness", number),
+            "model.near_pressure Off",
+            "it is unused; omit it",
+        ));
     }
     Ok(())
 }
@@ -174,10 +179,7 @@ fn pressure(scene: &Scene) -> Result<(), SceneError> {
 fn correction(scene: &Scene) -> Result<(), SceneError> {
     let Correction { iteration, iterations, tolerance } = scene.model.correction;
     positive("model.correction.tolerance", tolerance)?;
-    if iterations == 0 || iterations > Correction::MOST {
-        let (value, most) = (iterations as f32, Correction::MOST as f32);
-        return Err(SceneError::OutOfBounds { field: "model.correction.iterations", value, least: 1.0, most });
-    }
+    bounded("model.correction.iterations", iterations as f32, 1.0..=Correction::MOST as f32)?;
     if !scene.corrects_pressure() {
         return Ok(());
     }
@@ -208,7 +210,7 @@ fn fluids(scene: &Scene) -> Result<(), SceneError> {
     let own = scene.fluids.iter().position(|fluid| fluid.equation_of_state.is_some());
     if let Some(number) = own.filter(|_| scene.corrects_pressure()) {
         return Err(not_together(
-            field!(number, "equation_of_state"),
+            Field::of_item("fluids.equation_of_state", number),
             "model.pressure_solver PressureCorrection",
             "it is unused, because pressure is iterated for all fluids; omit it",
         ));
@@ -247,7 +249,7 @@ fn tension(scene: &Scene) -> Result<(), SceneError> {
     let pulls = |fluid: &Fluid| fluid.surface_tension > 0.0;
     if let Some(number) = scene.fluids.iter().position(pulls).filter(|_| model.surface_tension == SurfaceTension::Off) {
         return Err(not_together(
-            field!(number, "surface_tension"),
+            Field::of_item("fluids.surface_tension", number),
             "model.surface_tension Off",
             "choose a model, or set it to 0",
         ));
@@ -294,14 +296,6 @@ fn air(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
 
 fn support(scene: &Scene) -> Result<(), SceneError> {
     let Some(range) = scene.model.variable_support else { return Ok(()) };
-    let bounds = [
-        ("model.variable_support.smallest", range.smallest, 0.5, 1.0),
-        ("model.variable_support.largest", range.largest, 1.0, 2.0),
-    ];
-    for (field, value, least, most) in bounds {
-        if !(least..=most).contains(&value) {
-            return Err(SceneError::OutOfBounds { field, value, least, most });
-        }
-    }
-    Ok(())
+    bounded("model.variable_support.smallest", range.smallest, 0.5..=1.0)?;
+    bounded("model.variable_support.largest", range.largest, 1.0..=2.0)
 }

@@ -11,7 +11,7 @@ mod shapes;
 mod time;
 mod traversal;
 
-pub(crate) use bounds::check_count;
+pub(crate) use bounds::{check_count, not_together};
 pub use checked::Checked;
 pub use shapes::MOST_SPACINGS_AWAY;
 

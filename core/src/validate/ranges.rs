@@ -1,11 +1,11 @@
 //! Checks the numbers of a scene one by one: finite, positive, within bounds.
-use super::bounds::{MOST_PARTICLES, field, finite, known_fluid, not_negative, not_together, positive, share};
+use super::bounds::{MOST_PARTICLES, bounded, finite, known_fluid, not_negative, not_together, positive, share};
 use super::time::step_lengths;
 use crate::axis::Axis;
 use crate::derive::counts::field_counts;
 use crate::derive::lattice_sums::MOST_SPACINGS;
 use crate::derive::scales::{Scales, average_neighbours, neighbours_within};
-use crate::error::SceneError;
+use crate::error::{Field, SceneError};
 use crate::scene::{AVERAGE_NEIGHBOURS, Fluid, Formulation, Scene};
 
 /// Largest number of nodes of an acceleration field, 64 MiB.
@@ -41,7 +41,7 @@ pub(super) fn reach(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
     if (sums || elastic || !scene.walls.is_empty()) && scales.spacings(scene) > MOST_SPACINGS {
         let field = if scene.smoothing_ratio.is_some() { "smoothing_ratio" } else { "average_neighbours" };
         return Err(SceneError::OutOfScale {
-            field,
+            field: field.into(),
             value: scene.smoothing_ratio.unwrap_or(average_neighbours(scene)),
         });
     }
@@ -63,17 +63,8 @@ fn surroundings(scene: &Scene) -> Result<(), SceneError> {
                 return Err(SceneError::TooFewPoints { axis: Axis::of(axis), points });
             }
         }
-        let points = field_counts(scene)[3];
-        if points > MOST_NODES {
-            let (value, least, most) =
-                (points as f32, 2u32.pow(scene.dimension.count() as u32) as f32, MOST_NODES as f32);
-            return Err(SceneError::OutOfBounds {
-                field: "acceleration_field.counts (multiplied)",
-                value,
-                least,
-                most,
-            });
-        }
+        let (points, least) = (field_counts(scene)[3] as f32, 2u32.pow(scene.dimension.count() as u32) as f32);
+        bounded("acceleration_field.counts (multiplied)", points, least..=MOST_NODES as f32)?;
     }
     Ok(())
 }
@@ -97,10 +88,7 @@ pub(super) fn elasticity(scene: &Scene) -> Result<(), SceneError> {
         not_negative("elasticity.plasticity.yield_strain", plasticity.yield_strain)?;
         // a step may not remove more than the whole strain, or its sign would change
         let most = 1.0 / scene.longest_step();
-        if plasticity.rate > most {
-            let (field, value) = ("elasticity.plasticity.rate", plasticity.rate);
-            return Err(SceneError::OutOfBounds { field, value, least: 0.0, most });
-        }
+        bounded("elasticity.plasticity.rate", plasticity.rate, 0.0..=most)?;
     }
     match elasticity.break_at {
         Some(stretch) => positive("elasticity.break_at", stretch),
@@ -119,26 +107,27 @@ fn coefficients(model: &Formulation) -> Result<(), SceneError> {
 }
 
 fn fluid((number, fluid): (usize, &Fluid)) -> Result<(), SceneError> {
-    positive(field!(number, "rest_density"), fluid.rest_density)?;
-    positive(field!(number, "speed_of_sound"), fluid.speed_of_sound)?;
+    let field = |names| Field::of_item(names, number);
+    positive(field("fluids.rest_density"), fluid.rest_density)?;
+    positive(field("fluids.speed_of_sound"), fluid.speed_of_sound)?;
     if let Some(own) = fluid.average_neighbours {
-        neighbours(field!(number, "average_neighbours"), own)?;
+        neighbours(field("fluids.average_neighbours"), own)?;
     }
     if let Some(stiffness) = fluid.stiffness {
-        positive(field!(number, "stiffness"), stiffness)?;
+        positive(field("fluids.stiffness"), stiffness)?;
     }
-    not_negative(field!(number, "dynamic_viscosity"), fluid.dynamic_viscosity)?;
-    not_negative(field!(number, "surface_tension"), fluid.surface_tension)?;
-    not_negative(field!(number, "elastic_stiffness"), fluid.elastic_stiffness)?;
-    not_negative(field!(number, "near_stiffness"), fluid.near_stiffness.unwrap_or(0.0))?;
-    not_negative(field!(number, "internal_energy"), fluid.internal_energy)?;
-    fluid.colour.iter().flatten().try_for_each(|&colour| share(field!(number, "colour"), colour))
+    not_negative(field("fluids.dynamic_viscosity"), fluid.dynamic_viscosity)?;
+    not_negative(field("fluids.surface_tension"), fluid.surface_tension)?;
+    not_negative(field("fluids.elastic_stiffness"), fluid.elastic_stiffness)?;
+    not_negative(field("fluids.near_stiffness"), fluid.near_stiffness.unwrap_or(0.0))?;
+    not_negative(field("fluids.internal_energy"), fluid.internal_energy)?;
+    fluid.colour.iter().flatten().try_for_each(|&colour| share(field("fluids.colour"), colour))
 }
 
 /// Rejects neighbour counts for which derived constants would not be finite, so that the error names this field and
 /// not another.
-fn neighbours(field: &'static str, value: f32) -> Result<(), SceneError> {
+fn neighbours(field: impl Into<Field>, value: f32) -> Result<(), SceneError> {
+    let field = field.into();
     positive(field, value)?;
-    let (least, most) = (0.001, MOST_PARTICLES as f32);
-    if (least..=most).contains(&value) { Ok(()) } else { Err(SceneError::OutOfBounds { field, value, least, most }) }
+    bounded(field, value, 0.001..=MOST_PARTICLES as f32)
 }

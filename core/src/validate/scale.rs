@@ -1,7 +1,6 @@
 //! Checks that the constants derived from a scene are finite and positive as f32.
-use super::bounds::field;
 use crate::derive::Derived;
-use crate::error::SceneError;
+use crate::error::{Field, SceneError};
 use crate::scene::Scene;
 
 /// Rejects derived constants that f32 cannot represent; the error names the field from which they are derived.
@@ -15,23 +14,23 @@ pub(super) fn check(scene: &Scene, derived: &Derived) -> Result<(), SceneError> 
         let [state, near, ..] = materials.states[number];
         let [pressure_response, offset, compressibility, _] = materials.corrections[number];
         let correction = pressure_response * scene.time_step * scene.time_step + offset;
-        scale(field!(number, "speed_of_sound"), fluid.speed_of_sound, &[state, compressibility])?;
+        scale(Field::of_item("fluids.speed_of_sound", number), fluid.speed_of_sound, &[state, compressibility])?;
         if !near.is_finite() || (near == 0.0 && constants.near_stiffness > 0.0) {
             let (field, value) = match fluid.near_stiffness {
-                Some(stiffness) => (field!(number, "near_stiffness"), stiffness),
-                None => (field!(number, "speed_of_sound"), fluid.speed_of_sound),
+                Some(stiffness) => (Field::of_item("fluids.near_stiffness", number), stiffness),
+                None => (Field::of_item("fluids.speed_of_sound", number), fluid.speed_of_sound),
             };
             return Err(SceneError::OutOfScale { field, value });
         }
-        scale("time_step", scene.time_step, &[correction, 1.0 / correction])?;
-        scale(field!(number, "rest_density"), fluid.rest_density, &[materials.properties[number][2]])?;
+        scale("time_step".into(), scene.time_step, &[correction, 1.0 / correction])?;
+        scale(Field::of_item("fluids.rest_density", number), fluid.rest_density, &[materials.properties[number][2]])?;
         if fluid.elastic_stiffness > 0.0 {
             let pull = constants.spring_pull as f32;
-            scale(field!(number, "elastic_stiffness"), fluid.elastic_stiffness, &[pull])?;
+            scale(Field::of_item("fluids.elastic_stiffness", number), fluid.elastic_stiffness, &[pull])?;
         }
     }
-    scale("time_step", scene.time_step, &[derived.step.inverse_time_step])?;
-    scale("fluids[0].rest_density", scene.first_fluid().rest_density, &[p.particle_mass])?;
+    scale("time_step".into(), scene.time_step, &[derived.step.inverse_time_step])?;
+    scale("fluids[0].rest_density".into(), scene.first_fluid().rest_density, &[p.particle_mass])?;
     let of_length = [
         p.density_constant,
         p.inverse_cell[0],
@@ -41,5 +40,5 @@ pub(super) fn check(scene: &Scene, derived: &Derived) -> Result<(), SceneError> 
         p.near_constant,
         p.viscosity_laplacian_constant,
     ];
-    scale("particle_spacing", scene.particle_spacing, &of_length)
+    scale("particle_spacing".into(), scene.particle_spacing, &of_length)
 }

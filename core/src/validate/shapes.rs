@@ -1,9 +1,9 @@
 //! Checks positions and extents: blocks, walls, container, periodic domain, and the cells of the grid.
-use super::bounds::{MOST_PARTICLES, check_count, finite, known_fluid, not_negative, positive, share};
+use super::bounds::{MOST_PARTICLES, bounded, check_count, finite, known_fluid, not_negative, positive, share};
 use crate::axis::Axis;
 use crate::derive::counts::Counts;
 use crate::derive::sampling::lattice::{counts, whole};
-use crate::error::SceneError;
+use crate::error::{Field, SceneError};
 use crate::scene::{Container, Dimension, Face, GridStructure, Scene, Wall, WallShape};
 
 /// Largest distance of a block's corner from the origin along an axis, in particle spacings. At this distance f32
@@ -12,17 +12,18 @@ pub const MOST_SPACINGS_AWAY: f32 = 65_536.0;
 
 pub(super) fn blocks(scene: &Scene, count: &Counts) -> Result<(), SceneError> {
     for (block, b) in scene.blocks.iter().enumerate() {
-        finite("blocks.corner", b.corner.as_ref())?;
-        finite("blocks.velocity", b.velocity.as_ref())?;
-        not_negative("blocks.jitter", b.jitter)?;
-        not_negative("blocks.dynamic_viscosity", b.dynamic_viscosity.unwrap_or(0.0))?;
-        known_fluid(scene, "blocks.fluid", b.fluid)?;
+        let field = |names| Field::of_item(names, block);
+        finite(field("blocks.corner"), b.corner.as_ref())?;
+        finite(field("blocks.velocity"), b.velocity.as_ref())?;
+        not_negative(field("blocks.jitter"), b.jitter)?;
+        not_negative(field("blocks.dynamic_viscosity"), b.dynamic_viscosity.unwrap_or(0.0))?;
+        known_fluid(scene, field("blocks.fluid"), b.fluid)?;
         for axis in 0..scene.dimension.count() {
-            distance(scene, "blocks.corner", b.corner[axis])?;
+            distance(scene, field("blocks.corner"), b.corner[axis])?;
         }
         let counts = counts(b, scene);
         for (axis, (&size, count)) in b.size.as_ref().iter().zip(counts).enumerate().take(scene.dimension.count()) {
-            positive("blocks.size", size)?;
+            positive(field("blocks.size"), size)?;
             if count == 0 {
                 return Err(SceneError::EmptyBlock { block, axis: Axis::of(axis), size });
             }
@@ -32,9 +33,9 @@ pub(super) fn blocks(scene: &Scene, count: &Counts) -> Result<(), SceneError> {
 }
 
 /// Rejects a coordinate at which f32 has too few digits for distances between particles.
-fn distance(scene: &Scene, field: &'static str, value: f32) -> Result<(), SceneError> {
+fn distance(scene: &Scene, field: Field, value: f32) -> Result<(), SceneError> {
     let most = MOST_SPACINGS_AWAY * scene.particle_spacing;
-    if value.abs() > most { Err(SceneError::OutOfBounds { field, value, least: -most, most }) } else { Ok(()) }
+    bounded(field, value, -most..=most)
 }
 
 pub(super) fn container(scene: &Scene) -> Result<(), SceneError> {
@@ -109,7 +110,7 @@ pub(super) fn grid(scene: &Scene, cells: [u32; 3]) -> Result<(), SceneError> {
         GridStructure::CellLists { places } => places,
     };
     if places == 0 {
-        return Err(SceneError::NotPositive { field: "grid.structure.places", value: 0.0 });
+        return Err(SceneError::NotPositive { field: "grid.structure.places".into(), value: 0.0 });
     }
     if total.and_then(|total| total.checked_mul(places)).is_none_or(|total| total > i32::MAX as u32) {
         return Err(SceneError::TooManyCells { cells, places });
@@ -119,14 +120,15 @@ pub(super) fn grid(scene: &Scene, cells: [u32; 3]) -> Result<(), SceneError> {
 
 pub(super) fn walls(scene: &Scene, count: &Counts) -> Result<(), SceneError> {
     for (wall, w) in scene.walls.iter().enumerate() {
-        finite("walls.velocity", w.velocity.as_ref())?;
-        known_fluid(scene, "walls.fluid", w.fluid)?;
-        not_negative("walls.dynamic_viscosity", w.dynamic_viscosity.unwrap_or(0.0))?;
+        let field = |names| Field::of_item(names, wall);
+        finite(field("walls.velocity"), w.velocity.as_ref())?;
+        known_fluid(scene, field("walls.fluid"), w.fluid)?;
+        not_negative(field("walls.dynamic_viscosity"), w.dynamic_viscosity.unwrap_or(0.0))?;
         let (low, high) = match &w.shape {
             WallShape::Plane { low, high, .. } | WallShape::Box { low, high, .. } => (low, high),
         };
-        finite("walls.low", low.as_ref())?;
-        finite("walls.high", high.as_ref())?;
+        finite(field("walls.low"), low.as_ref())?;
+        finite(field("walls.high"), high.as_ref())?;
         let across = match &w.shape {
             WallShape::Plane { face, .. } => Some(face.axis()),
             WallShape::Box { .. } => None,

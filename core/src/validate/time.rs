@@ -1,6 +1,6 @@
 //! Checks the time step: bounds of an adaptive step, and what can be combined with which integrator.
-use super::bounds::{field, finite, not_together, positive};
-use crate::error::SceneError;
+use super::bounds::{bounded, finite, not_together, positive};
+use crate::error::{Field, SceneError};
 use crate::scene::{AdaptiveTimeStep, Integrator, Recovery, Scene, Viscosity};
 
 /// Checks the numbers of an adaptive time step, and the coefficient of a stiffness derived from the time step.
@@ -9,10 +9,7 @@ pub(super) fn step_lengths(scene: &Scene) -> Result<(), SceneError> {
         positive("stiffness_for_time_step", courant)?;
     }
     if scene.recovery != Recovery::Refuse {
-        let (field, value, most) = ("recovery.times", scene.recovery.times() as f32, Recovery::MOST_TIMES as f32);
-        if !(1.0..=most).contains(&value) {
-            return Err(SceneError::OutOfBounds { field, value, least: 1.0, most });
-        }
+        bounded("recovery.times", scene.recovery.times() as f32, 1.0..=Recovery::MOST_TIMES as f32)?;
     }
     let Some(adaptive) = &scene.adaptive else { return Ok(()) };
     let criteria = [
@@ -26,18 +23,10 @@ pub(super) fn step_lengths(scene: &Scene) -> Result<(), SceneError> {
     }
     positive("adaptive.smallest", adaptive.smallest)?;
     finite("adaptive.smallest", &[1.0 / adaptive.smallest])?;
-    let bounds = [
-        ("adaptive.largest", adaptive.largest, adaptive.smallest, f32::MAX),
-        ("adaptive.max_growth", adaptive.max_growth, 1.0, f32::MAX),
-        ("adaptive.reject_ratio", adaptive.reject_ratio.unwrap_or(1.0), 1.0, f32::MAX),
-        ("time_step", scene.time_step, adaptive.smallest, adaptive.largest),
-    ];
-    for (field, value, least, most) in bounds {
-        if !(least..=most).contains(&value) {
-            return Err(SceneError::OutOfBounds { field, value, least, most });
-        }
-    }
-    Ok(())
+    bounded("adaptive.largest", adaptive.largest, adaptive.smallest..=f32::MAX)?;
+    bounded("adaptive.max_growth", adaptive.max_growth, 1.0..=f32::MAX)?;
+    bounded("adaptive.reject_ratio", adaptive.reject_ratio.unwrap_or(1.0), 1.0..=f32::MAX)?;
+    bounded("time_step", scene.time_step, adaptive.smallest..=adaptive.largest)
 }
 
 /// Checks what is combined with the integrator.
@@ -128,7 +117,11 @@ fn stiffness(scene: &Scene) -> Result<(), SceneError> {
         ));
     }
     if let Some(number) = scene.fluids.iter().position(|fluid| fluid.stiffness.is_some()) {
-        return Err(not_together("stiffness_for_time_step", field!(number, "stiffness"), "omit one of the two"));
+        return Err(not_together(
+            "stiffness_for_time_step",
+            Field::of_item("fluids.stiffness", number),
+            "omit one of the two",
+        ));
     }
     if scene.corrects_pressure() {
         return Err(not_together(

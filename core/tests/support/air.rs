@@ -20,7 +20,7 @@ pub fn drop(dimension: Dimension, capacity: u32) -> Scene {
         ..Block::default()
     };
     let mut scene = Scene::of(dimension, SPACING, 0.0002, water, block);
-    let _ = scene.fluids.push(air);
+    scene.add_fluid(air).expect("room for a fluid");
     scene.model = Formulation::multiphase();
     scene.grid = Grid { cells: [7, 7, 5], ..Grid::default() };
     scene.air = Some(Air { fluid: 1, capacity, threshold: 0.5, minimum_density: 0.5 });

@@ -306,7 +306,7 @@ fn bench(named: &LoadedScene, options: &Options) -> Result<Bench, Failure> {
             listed: lists.listed,
             filling: lists.pairs as f64 / lists.places.max(1) as f64,
             million_pairs_per_second: rate(lists.pairs),
-            million_tested_pairs_per_second: rate(solver.tested_pairs()),
+            million_tested_pairs_per_second: rate(solver.neighbours().tested_pairs()),
         }),
         ceilings,
         levels: if options.levels { levels(named, options)? } else { Vec::new() },

@@ -51,7 +51,7 @@ pub(super) struct Costs {
 /// Counts operations and bytes for the current state of a solver. `lists` describes the neighbour lists of its last
 /// step.
 pub(super) fn costs(solver: &mut Solver<'_>, requirements: &Requirements, lists: Option<ListReport>) -> Costs {
-    let tested = solver.tested_pairs();
+    let tested = solver.neighbours().tested_pairs();
     let (plan, p) = (solver.plan(), solver.parameters());
     let m = &plan.model;
     // pairs of groups without lists are not counted

@@ -16,7 +16,7 @@ use crate::outcome::table;
 use glam::Vec3;
 use millpond_core::OwnedMemory;
 use millpond_core::scene::{Air, Block, DensityForm, Dimension, Fluid, Formulation, PressureForce, Scene};
-use millpond_core::{AirReport, Particle, Solver};
+use millpond_core::{AirReport, Particle, SceneError, Solver};
 
 const NAME: &str = "air";
 
@@ -110,7 +110,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         Metric::below("density error of the outermost row, with air over without", (coated.row / bare.row).abs(), 1.0),
         Metric::above(
             "air particles created at first, over particles of the outermost row",
-            f64::from(coated.first.alive) / face,
+            f64::from(coated.first.active) / face,
             1.0,
         ),
         Metric::below("largest rms speed, with air over without", coated.speed / bare.speed, 1.0),
@@ -136,7 +136,7 @@ fn line((density, coat): (DensityForm, Option<Coat>), drop: Result<&Drop, &Failu
             format!("{:.0}", drop.pressure),
             format!("{:.3} to {:.3}", drop.roundness[0], drop.roundness[1]),
             format!("{:.3}", drop.speed),
-            format!("{}, {}, {}", drop.first.alive, drop.last.alive, drop.last.refused),
+            format!("{}, {}, {}", drop.first.active, drop.last.active, drop.last.refused),
         ],
         Err(failure) => [failure.to_string(), String::new(), String::new(), String::new(), String::new()],
     };
@@ -144,7 +144,7 @@ fn line((density, coat): (DensityForm, Option<Coat>), drop: Result<&Drop, &Failu
     [density.name().into(), air, row, pressure, round, speed, air_count]
 }
 
-fn scene((density, coat): (DensityForm, Option<Coat>)) -> Scene {
+fn scene((density, coat): (DensityForm, Option<Coat>)) -> Result<Scene, SceneError> {
     let edge = f32::from(EDGE) * SPACING;
     let water = Fluid { rest_density: WATER, speed_of_sound: SOUND, dynamic_viscosity: VISCOSITY, ..Fluid::default() };
     let block = Block { corner: Vec3::new(-edge / 2.0, -edge / 2.0, 0.0), size: Vec3::splat(edge), ..Block::default() };
@@ -158,15 +158,15 @@ fn scene((density, coat): (DensityForm, Option<Coat>)) -> Scene {
     if let Some(Coat { ratio, sound, threshold }) = coat {
         let (rest_density, dynamic_viscosity) = (WATER / ratio, VISCOSITY);
         let air = Fluid { rest_density, speed_of_sound: sound, dynamic_viscosity, ..Fluid::default() };
-        let _ = scene.fluids.push(air);
+        let fluid = scene.add_fluid(air)?;
         let capacity = ROOM * 4 * u32::from(EDGE);
-        scene.air = Some(Air { fluid: 1, capacity, threshold, minimum_density: MINIMUM });
+        scene.air = Some(Air { fluid, capacity, threshold, minimum_density: MINIMUM });
     }
-    scene
+    Ok(scene)
 }
 
 fn evolve(context: &Context, case: (DensityForm, Option<Coat>)) -> Result<Drop, Failure> {
-    let scene = scene(case);
+    let scene = scene(case).map_err(|error| Failure::Scene { origin: NAME.into(), error })?;
     let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, scene.initial_particles().collect(), &mut heap)?;

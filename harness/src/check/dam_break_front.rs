@@ -172,7 +172,7 @@ fn place_of_front(solver: &mut Solver<'_>, scene: &Checked<'_>) -> f64 {
     let spacing = f64::from(scene.particle_spacing);
     let water = scene.derived().fluid_particles;
     let mut company = vec![0u32; water];
-    solver.each_pair(|a, b| {
+    solver.neighbours().each_pair(|a, b| {
         let (a, b) = (a as usize, b as usize);
         if a != b
             && b < water

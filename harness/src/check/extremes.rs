@@ -38,7 +38,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     ];
     let row = |v: &Verdict| {
         let faults: Vec<String> = v.faults.iter().map(ToString::to_string).collect();
-        [v.name.clone(), v.came.clone(), if faults.is_empty() { "as required".into() } else { faults.join("; ") }]
+        [v.name.clone(), v.result.clone(), if faults.is_empty() { "as required".into() } else { faults.join("; ") }]
     };
     let mut notes = vec![table(["case", "outcome", "verdict"], verdicts.iter().map(row))];
     if gpu.is_none() {

@@ -46,6 +46,7 @@ mod two_fluids;
 
 pub use crate::outcome::{Metric, Outcome, Sense};
 
+use crate::arguments::number_of_threads;
 use crate::failure::Failure;
 use crate::output::{make_folder, print_json, say, write_text};
 use crate::pool::Pool;
@@ -61,7 +62,7 @@ pub struct Options {
     #[arg(long)]
     quick: bool,
     /// Threads of the CPU backend (0: one for each core)
-    #[arg(long, default_value_t = 0, value_name = "N")]
+    #[arg(long, default_value_t = 0, value_name = "N", value_parser = number_of_threads())]
     threads: usize,
     /// One JSON document on stdout, everything else on stderr
     #[arg(long)]

@@ -119,7 +119,7 @@ fn evolve(context: &Context, near_pressure: NearPressure, end: f64) -> Result<Bl
 fn closest_pair(solver: &mut Solver<'_>) -> f64 {
     let particles: Vec<Particle> = solver.particles().collect();
     let mut closest = f32::INFINITY;
-    solver.each_pair(|a, b| {
+    solver.neighbours().each_pair(|a, b| {
         if a < b {
             let distance = particles[a as usize].position.distance(particles[b as usize].position);
             closest = closest.min(distance);

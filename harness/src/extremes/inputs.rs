@@ -45,27 +45,27 @@ const NUMBERS: &[(&str, Number)] = &[
     ("fluids[0].colour", |s| s.fluids[0].colour.get_or_insert([0.0; 3]).first_mut()),
     ("fluids[1].rest_density", |s| Some(&mut other(s)?.rest_density)),
     ("fluids[1].speed_of_sound", |s| Some(&mut other(s)?.speed_of_sound)),
-    ("blocks.corner", |s| s.blocks.first_mut()?.corner.as_mut().first_mut()),
-    ("blocks.size", |s| s.blocks.first_mut()?.size.as_mut().first_mut()),
-    ("blocks.velocity", |s| s.blocks.first_mut()?.velocity.as_mut().first_mut()),
-    ("blocks.jitter", |s| Some(&mut s.blocks.first_mut()?.jitter)),
-    ("blocks.dynamic_viscosity", |s| Some(s.blocks.first_mut()?.dynamic_viscosity.get_or_insert(1.0))),
+    ("blocks[0].corner", |s| s.blocks.first_mut()?.corner.as_mut().first_mut()),
+    ("blocks[0].size", |s| s.blocks.first_mut()?.size.as_mut().first_mut()),
+    ("blocks[0].velocity", |s| s.blocks.first_mut()?.velocity.as_mut().first_mut()),
+    ("blocks[0].jitter", |s| Some(&mut s.blocks.first_mut()?.jitter)),
+    ("blocks[0].dynamic_viscosity", |s| Some(s.blocks.first_mut()?.dynamic_viscosity.get_or_insert(1.0))),
     ("container.low", |s| s.container.as_mut()?.low.as_mut().get_mut(1)),
     ("container.high", |s| s.container.as_mut()?.high.as_mut().get_mut(1)),
     ("container.restitution", |s| Some(&mut s.container.as_mut()?.restitution)),
     ("container.slip", |s| Some(&mut s.container.as_mut()?.slip)),
-    ("walls.low", |s| Some(&mut wall(s)?.0[0])),
-    ("walls.high", |s| Some(&mut wall(s)?.1[0])),
-    ("walls.velocity", |s| walled(s)?.velocity.as_mut().first_mut()),
-    ("walls.dynamic_viscosity", |s| Some(walled(s)?.dynamic_viscosity.get_or_insert(1.0))),
+    ("walls[0].low", |s| Some(&mut wall(s)?.0[0])),
+    ("walls[0].high", |s| Some(&mut wall(s)?.1[0])),
+    ("walls[0].velocity", |s| walled(s)?.velocity.as_mut().first_mut()),
+    ("walls[0].dynamic_viscosity", |s| Some(walled(s)?.dynamic_viscosity.get_or_insert(1.0))),
     ("periodic.low", |s| periodic(s).low.as_mut().first_mut()),
     ("periodic.high", |s| periodic(s).high.as_mut().first_mut()),
     ("elasticity.reach", |s| Some(&mut elastic(s).reach)),
     ("elasticity.plasticity.rate", |s| Some(&mut plastic(s).rate)),
     ("elasticity.plasticity.yield_strain", |s| Some(&mut plastic(s).yield_strain)),
     ("elasticity.break_at", |s| Some(elastic(s).break_at.get_or_insert(1.0))),
-    ("air.threshold", |s| Some(&mut air(s).threshold)),
-    ("air.minimum_density", |s| Some(&mut air(s).minimum_density)),
+    ("air.threshold", |s| Some(&mut air(s)?.threshold)),
+    ("air.minimum_density", |s| Some(&mut air(s)?.minimum_density)),
     ("model.surface_threshold", |s| Some(&mut s.model.surface_threshold)),
     ("model.correction.tolerance", |s| Some(&mut s.model.correction.tolerance)),
     ("adaptive.speed", |s| adaptive(s).speed.as_mut()),
@@ -85,10 +85,10 @@ const NUMBERS: &[(&str, Number)] = &[
 /// quantities.
 const DERIVED: &[(&str, &str)] = &[
     // their number
-    ("blocks.size", "particles"),
+    ("blocks[0].size", "particles"),
     // the extent of a wall
-    ("walls.low", "walls"),
-    ("walls.high", "walls"),
+    ("walls[0].low", "walls"),
+    ("walls[0].high", "walls"),
     // as many cells as fit between low and high
     ("periodic.high", "grid.cells"),
     // it must not be smaller than the smallest step
@@ -138,14 +138,13 @@ fn heated(scene: &mut Scene) -> &mut Fluid {
 }
 
 fn other(scene: &mut Scene) -> Option<&mut Fluid> {
-    // within the limit on the number of fluids
-    let _ = scene.fluids.push(Fluid::default());
-    scene.fluids.last_mut()
+    let number = scene.add_fluid(Fluid::default()).ok()?;
+    scene.fluids.get_mut(number as usize)
 }
 
 fn walled(scene: &mut Scene) -> Option<&mut Wall> {
     let shape = WallShape::Box { low: Vec3::ZERO, high: Vec3::new(0.5, 0.5, 0.0), open: [].into_iter().collect() };
-    let _ = scene.walls.push(Wall::still(shape));
+    scene.add_wall(Wall::still(shape)).ok()?;
     scene.walls.last_mut()
 }
 
@@ -172,9 +171,9 @@ fn plastic(scene: &mut Scene) -> &mut Plasticity {
     elastic(scene).plasticity.get_or_insert(Plasticity { rate: 1.0, yield_strain: 0.1 })
 }
 
-fn air(scene: &mut Scene) -> &mut Air {
-    let _ = other(scene);
-    scene.air.get_or_insert(Air { fluid: 1, capacity: 20, threshold: 0.3, minimum_density: 0.1 })
+fn air(scene: &mut Scene) -> Option<&mut Air> {
+    other(scene)?;
+    Some(scene.air.get_or_insert(Air { fluid: 1, capacity: 20, threshold: 0.3, minimum_density: 0.1 }))
 }
 
 fn adaptive(scene: &mut Scene) -> &mut AdaptiveTimeStep {

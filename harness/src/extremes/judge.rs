@@ -15,7 +15,7 @@ pub struct Verdict {
     /// Name of the case.
     pub name: String,
     /// The error or the measured figures, as text.
-    pub came: String,
+    pub result: String,
     /// Number of steps that failed; each of them was tried twice.
     pub refusals: usize,
     /// Number of pairs of backends that were compared.
@@ -38,7 +38,7 @@ pub enum Fault {
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Fault::End(came) => write!(f, "unexpected result: {came}"),
+            Fault::End(result) => write!(f, "unexpected result: {result}"),
             Fault::Changed(backend) => write!(f, "a refused step changed the state on {backend}"),
             Fault::Parted(ends) => write!(f, "backends disagree: {ends}"),
         }
@@ -71,12 +71,12 @@ pub fn judge(case: &Case, gpu: Option<&Gpu>) -> Result<Verdict, Failure> {
     if let Some(gpu) = gpu {
         others.push(with_solver(case, |solver| on_device(case, gpu, &solver, &scalar)).map_err(scene)??);
     }
-    let (came, fault) = outcome(case, &scalar)?;
+    let (result, fault) = outcome(case, &scalar)?;
     let mut faults: Vec<Fault> = fault.into_iter().collect();
     faults.extend(between(&scalar, &others));
     let all = || std::iter::once(&scalar).chain(&others);
     let refusals = all().filter(|ended| ended.refusal.is_some()).count();
-    Ok(Verdict { name: case.name.clone(), came, refusals, compared: others.len(), faults })
+    Ok(Verdict { name: case.name.clone(), result, refusals, compared: others.len(), faults })
 }
 
 /// Returns states that a failed step changed, and differences between backends.
@@ -107,9 +107,9 @@ fn refused(case: &Case, error: &SceneError) -> Verdict {
         End::Either(_) => true,
         End::Stopped(_) | End::Runs(_) => false,
     };
-    let came = format!("refused: {error}");
-    let faults = if meant { Vec::new() } else { vec![Fault::End(came.clone())] };
-    Verdict { name: case.name.clone(), came, refusals: 0, compared: 0, faults }
+    let result = format!("refused: {error}");
+    let faults = if meant { Vec::new() } else { vec![Fault::End(result.clone())] };
+    Verdict { name: case.name.clone(), result, refusals: 0, compared: 0, faults }
 }
 
 /// Returns whether the error message names this field, by the last part of its path. An error of the first step names a
@@ -123,7 +123,7 @@ fn names(error: &SceneError, field: &str) -> bool {
 
 /// Returns the result of a case that started, as text, and a fault if it is not the expected one.
 fn outcome(case: &Case, ended: &Ended) -> Result<(String, Option<Fault>), Failure> {
-    let mut came = ended.words();
+    let mut result = ended.words();
     let meant = match (case.end, ended.refusal) {
         (End::Stopped(is_meant), Some(error)) => is_meant(&error),
         (End::Either(_) | End::Naming(..), Some(_)) => true,
@@ -135,14 +135,14 @@ fn outcome(case: &Case, ended: &Ended) -> Result<(String, Option<Fault>), Failur
             let figures =
                 if none == 0 { measure.figures(&run)? } else { vec![Metric::below("not finite", none as f64, 0.0)] };
             for Metric { name, value, .. } in &figures {
-                came += &format!("; {name} {value:.1e}");
+                result += &format!("; {name} {value:.1e}");
             }
             figures.iter().all(|figure| figure.ok)
         }
         (End::Refused(_) | End::NotANumber(_), _) | (End::Stopped(_), None) | (End::Runs(_), Some(_)) => false,
     };
-    let fault = (!meant).then(|| Fault::End(came.clone()));
-    Ok((came, fault))
+    let fault = (!meant).then(|| Fault::End(result.clone()));
+    Ok((result, fault))
 }
 
 impl Ended {

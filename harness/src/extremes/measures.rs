@@ -41,7 +41,7 @@ impl Measure {
     pub(super) fn figures(self, run: &Run<'_>) -> Result<Vec<Metric>, Failure> {
         let moved = || Metric::below("particles moved", moved(run) as f64, 0.0);
         let grown = || Ok::<_, Failure>(Metric::below("energy growth", growth(run)?, GROWTH));
-        let warnings = |said: usize| Metric::above("warnings", said as f64, 1.0);
+        let warnings = |count: usize| Metric::above("warnings", count as f64, 1.0);
         Ok(match self {
             Measure::Finite => Vec::new(),
             Measure::Falls => vec![Metric::below("off free fall", off_fall(run), FALL)],
@@ -53,11 +53,11 @@ impl Measure {
                 let sound = f64::from(run.scene.fluids[0].speed_of_sound);
                 vec![Metric::below("speed over sound", fastest / sound, 1.0)]
             }
-            Measure::Honest => match said(run)? {
+            Measure::Honest => match number_of_warnings(run)? {
                 0 => vec![grown()?],
-                said => vec![warnings(said)],
+                count => vec![warnings(count)],
             },
-            Measure::Warned => vec![warnings(said(run)?)],
+            Measure::Warned => vec![warnings(number_of_warnings(run)?)],
         })
     }
 }
@@ -95,7 +95,7 @@ fn outside(run: &Run<'_>) -> usize {
 }
 
 /// Returns the number of warnings that `run` would print.
-fn said(run: &Run<'_>) -> Result<usize, Failure> {
+fn number_of_warnings(run: &Run<'_>) -> Result<usize, Failure> {
     let (start, end) = (summarize(run.scene, run.start)?, summarize(run.scene, run.end)?);
     let scene = run.scene.check().map_err(|error| Failure::Scene { origin: "warnings".into(), error })?;
     Ok(warnings(&scene, &end, 0).len() + usize::from(gained(run.scene, &start, &end).is_some()))

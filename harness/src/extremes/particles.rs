@@ -89,7 +89,7 @@ fn no_numbers(scene: &Scene) -> Vec<Case> {
         End::Refused(|e| matches!(e, SceneError::ParticleNotFinite { particle: 1, quantity: Quantity::Velocity }));
     let density =
         End::Refused(|e| matches!(e, SceneError::ParticleNotFinite { particle: 1, quantity: Quantity::Density }));
-    let mass = End::Refused(|e| matches!(e, SceneError::NotPositive { field: "mass of a particle", .. }));
+    let mass = End::Refused(|e| matches!(e, SceneError::NotPositive { field, .. } if *field == "mass of a particle"));
     // with the hydrostatic start the particles have masses of their own
     let mut weighed = scene.clone();
     weighed.model.initialize_hydrostatic = true;

@@ -1,6 +1,7 @@
 //! Axes of a map: what varies, the values that it takes, and how a value is set in a scene.
 use crate::failure::Failure;
-use crate::scenes::{SceneFile, with};
+use crate::overrides::with;
+use crate::scenes::SceneFile;
 use glam::Vec3;
 use millpond_core::scene::{EquationOfState, Fluid, Integrator, Scene, Viscosity};
 use serde::Serialize;

@@ -42,7 +42,7 @@ pub(super) struct Limits {
 }
 
 /// Why a bisection ends without a result.
-enum Vain {
+enum NoResult {
     /// The next run would need too many steps.
     TooManySteps(TooManySteps),
     /// The fluid is too soft: shorter time steps change nothing.
@@ -121,13 +121,13 @@ impl Limits {
                     any = true;
                     return Ok(true);
                 }
-                Verdict::TooManySteps(too_many) => return Err(Vain::TooManySteps(too_many)),
+                Verdict::TooManySteps(too_many) => return Err(NoResult::TooManySteps(too_many)),
                 other => failed = Some((time_step, other)),
             }
             // if any time step was stable, the fluid is not too soft, however similar the failures of longer time steps
             // are
             let in_vain = !any && softness.is_shown_by(failed.as_ref().map(|(_, verdict)| verdict));
-            if in_vain { Err(Vain::TooSoft) } else { Ok(false) }
+            if in_vain { Err(NoResult::TooSoft) } else { Ok(false) }
         });
         let run = Run { steps: steps_made, ..blank };
         let (criterion, above) = match &failed {
@@ -145,12 +145,14 @@ impl Limits {
             ..run
         };
         match (found, &failed) {
-            (Err(Vain::TooManySteps(too_many)), None) => Run { detail: too_many.to_string(), too_long: true, ..run },
+            (Err(NoResult::TooManySteps(too_many)), None) => {
+                Run { detail: too_many.to_string(), too_long: true, ..run }
+            }
             // no longer time step was stable, otherwise such short ones would not have been tried
-            (Err(Vain::TooManySteps(too_many)), Some(_)) => {
+            (Err(NoResult::TooManySteps(too_many)), Some(_)) => {
                 Run { detail: format!("{too_many}; {above}"), too_long: true, criterion, ..run }
             }
-            (Err(Vain::TooSoft), _) => {
+            (Err(NoResult::TooSoft), _) => {
                 let detail = format!("no time step is stable, and shorter ones change nothing: {above}");
                 none_is(Run { detail, ..run }, failed.as_ref().map(|(step, _)| *step))
             }

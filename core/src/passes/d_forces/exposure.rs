@@ -36,7 +36,7 @@ impl PairPass for Exposure {
         }
         let a = group.receivers::<R>();
         let none = real::<R>(0.0);
-        let sum = fold!(group: R, adds nothing to itself, |slots| {
+        let sum = fold!(group: R, is zero with itself, |slots| {
             let vec3 { x, y, z } = total_gradient(m, p, a, group.neighbours(slots));
             [x, y, z, none]
         });

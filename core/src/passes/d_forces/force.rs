@@ -47,7 +47,7 @@ impl PairPass for Force {
         }
         let a = group.receivers::<R>();
         let none = real::<R>(0.0);
-        let force = fold!(group: R, adds nothing to itself, |slots| {
+        let force = fold!(group: R, is zero with itself, |slots| {
             let vec3 { x, y, z } = force_neighbour(m, p, t, a, group.neighbours(slots));
             [x, y, z, none]
         });
@@ -63,7 +63,7 @@ fn close<R: Lanes>(group: &Group<'_>, a: Local<R>, force: vec3<R>, own: &mut [f3
     let (m, p, u) = (setup.model, setup.parameters, setup.uniform);
     let mut internal = acceleration_close(m, p, force, a);
     if m.has_velocity_exchange == 1 {
-        let [x, y, z, shares] = fold!(group: R, adds nothing to itself, |slots| {
+        let [x, y, z, shares] = fold!(group: R, is zero with itself, |slots| {
             let b = group.neighbours(slots);
             let vec3 { x, y, z } = exchange_neighbour(m, p, a, b);
             [x, y, z, exchange_share(m, p, a, b)]

@@ -42,7 +42,7 @@ impl PairPass for Tension<'_> {
         let [x, y, z, of_colour] = group.spread::<R>(self.normal);
         let normal = vec3(x, y, z);
         let curvature = if m.tension == NORMAL_CURVATURE {
-            let sums = fold!(group: R, adds nothing to itself, |slots| {
+            let sums = fold!(group: R, is zero with itself, |slots| {
                 let normal_b = xyz(R::gather(self.normal, slots));
                 let vec3 { x, y, z } = normal_divergence(m, p, a, group.neighbours(slots), normal, normal_b);
                 [x, y, z, none]

@@ -46,7 +46,7 @@ impl PairPass for PressureCorrect<'_> {
         let a = group.receivers::<R>();
         let none = real::<R>(0.0);
         let v_a = predicted_velocity(u, a.velocity, xyz(group.spread(self.acceleration)));
-        let [rate, ..] = fold!(group: R, adds nothing to itself, |slots| {
+        let [rate, ..] = fold!(group: R, is zero with itself, |slots| {
             let b = group.neighbours::<R>(slots);
             let x_ab = separation(m, p, a.position, b.position);
             let scale = pair_scale(m, a.support, b.support);

@@ -37,7 +37,7 @@ impl PairPass for PressureForce<'_> {
             return 0;
         }
         let a = group.receivers::<R>();
-        let force = fold!(group: R, adds nothing to itself, |slots| {
+        let force = fold!(group: R, is zero with itself, |slots| {
             let vec3 { x, y, z } = pressure_neighbour(m, p, t, a, group.neighbours(slots));
             [x, y, z, real(0.0)]
         });

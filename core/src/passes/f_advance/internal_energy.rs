@@ -44,13 +44,13 @@ impl PairPass for InternalEnergy<'_> {
         let a = group.receivers::<R>();
         let none = real::<R>(0.0);
         let v_a = xyz(group.spread::<R>(self.ahead));
-        let [sum, ..] = fold!(group: R, adds nothing to itself, |slots| {
+        let [sum, ..] = fold!(group: R, is zero with itself, |slots| {
             let v_ab = v_a - xyz(R::gather(self.ahead, slots));
             [internal_energy_neighbour(m, p, t, a, group.neighbours(slots), v_ab), none, none, none]
         });
         let mut rate = internal_energy_close(m, p, sum, a);
         if m.has_velocity_exchange == 1 {
-            let [heat, shares, ..] = fold!(group: R, adds nothing to itself, |slots| {
+            let [heat, shares, ..] = fold!(group: R, is zero with itself, |slots| {
                 let b = group.neighbours(slots);
                 let v_ab = v_a - xyz(R::gather(self.ahead, slots));
                 [exchange_dissipation(m, p, a, b, v_ab), exchange_share(m, p, a, b), none, none]

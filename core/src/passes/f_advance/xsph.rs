@@ -38,7 +38,7 @@ impl PairPass for Xsph<'_> {
         let mut a = group.receivers::<R>();
         a.velocity = xyz(group.spread(self.predicted_velocity));
         let none = real::<R>(0.0);
-        let sum = fold!(group: R, adds nothing to itself, |slots| {
+        let sum = fold!(group: R, is zero with itself, |slots| {
             let mut b = group.neighbours::<R>(slots);
             b.velocity = xyz(R::gather(self.predicted_velocity, slots));
             let vec3 { x, y, z } = xsph_neighbour(m, p, t, a, b);

@@ -13,10 +13,10 @@ use support::device;
 
 #[test]
 fn every_word_keeps_its_bits_in_strict_mode() {
-    let Some(gpu) = device("vocabulary_parity", Mode::Strict) else { return };
-    for words in [gpu.words(), Intrinsics::Exact] {
-        for report in test_intrinsics(&gpu, &words.prelude()).expect("a device that answers") {
-            assert_eq!(report.differing, 0, "{words:?}: {report:?}");
+    let Some(gpu) = device("intrinsics_parity", Mode::Strict) else { return };
+    for intrinsics in [gpu.intrinsics(), Intrinsics::Exact] {
+        for report in test_intrinsics(&gpu, &intrinsics.prelude()).expect("a device that answers") {
+            assert_eq!(report.differing, 0, "{intrinsics:?}: {report:?}");
             assert!(report.tried > 10_000, "{report:?}");
         }
     }
@@ -24,15 +24,15 @@ fn every_word_keeps_its_bits_in_strict_mode() {
 
 #[test]
 fn exact_words_put_right_what_a_loose_device_gets_wrong() {
-    let Some(gpu) = device("vocabulary_parity, loose", Mode::Strict) else { return };
+    let Some(gpu) = device("intrinsics_parity, loose", Mode::Strict) else { return };
     // simulates a device whose results are off by 1 or 3 units in the last place, up or down
     for off in ["+ 1u", "- 1u", "+ 3u", "- 3u"] {
-        let loosened = |words: Intrinsics| {
+        let loosened = |intrinsics: Intrinsics| {
             let loose = |x: &str| format!("bitcast<f32>(bitcast<u32>({x}) {off})");
-            words.prelude().replace("x / y", &loose("x / y")).replace("sqrt(x)", &loose("sqrt(x)"))
+            intrinsics.prelude().replace("x / y", &loose("x / y")).replace("sqrt(x)", &loose("sqrt(x)"))
         };
-        let differing = |words| {
-            let reports = test_intrinsics(&gpu, &loosened(words)).expect("a device that answers");
+        let differing = |intrinsics| {
+            let reports = test_intrinsics(&gpu, &loosened(intrinsics)).expect("a device that answers");
             reports.into_iter().filter(|r| r.differing > 0).map(|r| r.word).collect::<Vec<_>>()
         };
         assert_eq!(differing(Intrinsics::Native), ["div", "root", "div, wide", "root, wide"], "{off}");
@@ -42,8 +42,8 @@ fn exact_words_put_right_what_a_loose_device_gets_wrong() {
 
 #[test]
 fn plain_mode_breaks_a_spelling_that_strict_mode_keeps() {
-    let Some(gpu) = device("vocabulary_parity, plain", Mode::Plain) else { return };
-    let reports = test_intrinsics(&gpu, &gpu.words().prelude()).expect("a device that answers");
+    let Some(gpu) = device("intrinsics_parity, plain", Mode::Plain) else { return };
+    let reports = test_intrinsics(&gpu, &gpu.intrinsics().prelude()).expect("a device that answers");
     let differing = |word: &str| reports.iter().find(|r| r.word == word).map(|r| r.differing);
     // with lavapipe (llvmpipe) 40 % of the results differed; other drivers may keep these expressions, so they are not
     // tested
