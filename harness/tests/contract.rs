@@ -132,7 +132,7 @@ fn one_field_can_be_set() {
 #[test]
 fn bad_calls_are_refused_with_status_2() {
     let folder = tempfile::tempdir().expect("a folder");
-    let calls: [(&[&str], &str); 17] = [
+    let calls: [(&[&str], &str); 22] = [
         (&["run", "no-such-scene"], "no scene \"no-such-scene\""),
         (&["run", "no-such-file.ron"], "no-such-file.ron"),
         (&["run", "dam-break", "--set", "no_such_field=1"], "no field no_such_field"),
