@@ -1,7 +1,7 @@
-//! Promise: `advance` makes the steps that fit into the time asked for, and only steps that `step` would make. It carries the
-//! rest into the next call, and drops the time for which the caller allows no steps, saying so. `step_until` shortens the
-//! last one or two steps to land on a time, where steps can change, and then goes on as before. The clock goes on
-//! however long the fluid has run.
+//! Promise: `advance` makes the steps that fit into the time asked for, and only steps that `step` would make. It
+//! carries the rest into the next call, and drops the time for which the caller allows no steps, saying so.
+//! `step_until` shortens the last one or two steps to land on a time, where steps can change, and then goes on as
+//! before. The clock goes on however long the fluid has run.
 //!
 //! `gpu/tests/time_is_advanced.rs` checks that a device makes the same steps.
 use millpond_core::backend::terms::time_step::{clock_after, clock_lost};

@@ -17,8 +17,8 @@ pub struct Cli {
 }
 
 /// What the exit status of the program says.
-const EXIT_STATUSES: &str = "Exit status: 0 done and every promise kept; 1 a promise or a time step failed; 2 the arguments or \
-the scene are wrong; 3 no such backend on this machine; 4 a result could not be written.";
+const EXIT_STATUSES: &str = "Exit status: 0 done and every promise kept; 1 a promise or a time step failed; \
+2 the arguments or the scene are wrong; 3 no such backend on this machine; 4 a result could not be written.";
 
 #[derive(Debug, Subcommand)]
 enum Command {

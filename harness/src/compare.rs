@@ -171,7 +171,8 @@ pub fn compare(
             cpu(&format!("{name}, other grid"), &other, &mut other_heap, best, &one)?;
         } else {
             eprintln!(
-                "the other grid structure is left out: it would need more cells than a scene can have, or more than {} GiB",
+                "the other grid structure is left out: it would need more cells than a scene can have, or more than \
+                 {} GiB",
                 MOST_BYTES >> 30
             );
         }

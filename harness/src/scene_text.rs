@@ -2,8 +2,8 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// Returns the text in the form that this version reads, with the same lines. Version 0.1 had `fluid` and, directly after
-/// it, `other_fluids`, which are one list now. A byte order mark, which some editors write, is removed.
+/// Returns the text in the form that this version reads, with the same lines. Version 0.1 had `fluid` and, directly
+/// after it, `other_fluids`, which are one list now. A byte order mark, which some editors write, is removed.
 pub fn current(text: &str) -> Cow<'_, str> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let code = code_of(text);
@@ -20,8 +20,8 @@ pub fn current(text: &str) -> Cow<'_, str> {
     format!("{}fluids: [{}{}", &text[..first], &text[after_first..others], &text[list..]).into()
 }
 
-/// Returns the line, counted from 1, of a field given by its path from the scene on, such as `fluids[1].rest_density`, or by
-/// the end of its path. Where an item of a list leaves the field out, it is the line of the item.
+/// Returns the line, counted from 1, of a field given by its path from the scene on, such as `fluids[1].rest_density`,
+/// or by the end of its path. Where an item of a list leaves the field out, it is the line of the item.
 pub fn line_of(text: &str, field: &str) -> Option<usize> {
     let code = code_of(text);
     let mut within = scene_of(&code);
@@ -186,8 +186,10 @@ fn start_of_item(code: &str, list: &Range<usize>, item: usize) -> Option<usize> 
 mod tests {
     use super::{current, line_of};
 
-    const TEXT: &str = "/* rest_density: of /* the */ old\n*/\n(\n  about: \"rest_density: \\\"1\u{e9}\", // rest_density: \u{2014}\n  \
-                        fluids: [\n    (rest_density: 1000.0),\n    (\n      rest_density: -5.0),\n    (\n    ),\n  ],\n  \
+    const TEXT: &str = "/* rest_density: of /* the */ old\n*/\n(\n  \
+                        about: \"rest_density: \\\"1\u{e9}\", // rest_density: \u{2014}\n  \
+                        fluids: [\n    (rest_density: 1000.0),\n    (\n      rest_density: -5.0),\n    (\n    \
+                        ),\n  ],\n  \
                         container: (low: (0, 0)),\n)\n";
 
     #[test]

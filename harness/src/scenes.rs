@@ -100,8 +100,8 @@ pub const MOST_BYTES: usize = 1 << 32;
 /// Changes to a scene that the caller asks for.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub struct Changes {
-    /// Override one field of the scene, named by the end of its path, with a value as in a scene file: time_step=0.0005,
-    /// fluid.speed_of_sound=30, gravity=(0,-1.6,0)
+    /// Override one field of the scene, named by the end of its path, with a value as in a scene file:
+    /// time_step=0.0005, fluid.speed_of_sound=30, gravity=(0,-1.6,0)
     #[arg(long, value_name = "FIELD=VALUE")]
     pub set: Vec<String>,
     /// Approximate number of fluid particles: scales all lengths of the scene and keeps the particle spacing

@@ -127,8 +127,8 @@ pub struct Wind {
 }
 
 /// Lattice of an acceleration field supplied by the caller, who may set it before any step
-/// ([`Solver::set_acceleration_field`](crate::Solver::set_acceleration_field); 0 until then). Between the nodes the field is interpolated
-/// linearly; beyond the outermost nodes it falls to 0 within one spacing.
+/// ([`Solver::set_acceleration_field`](crate::Solver::set_acceleration_field); 0 until then). Between the nodes the
+/// field is interpolated linearly; beyond the outermost nodes it falls to 0 within one spacing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct AccelerationField {

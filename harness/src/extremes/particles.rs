@@ -11,7 +11,8 @@ use millpond_core::{Axis, SceneError, StepError};
 /// Number of steps of a free fall of 0.1 s.
 const FALL: u32 = 100;
 
-/// Number of particles along each edge of a square of particles that share a cell (case X9 of the validation catalogue).
+/// Number of particles along each edge of a square of particles that share a cell (case X9 of the validation
+/// catalogue).
 const CROWD: u16 = 100;
 
 /// Returns the cases.
