@@ -69,7 +69,8 @@ fn parsed(text: &str) -> Value {
     let is_name = name.starts_with(|c: char| c.is_ascii_uppercase()) && name.chars().all(char::is_alphanumeric);
     let ron = |text: &str| ron::from_str::<Value>(text).ok();
     let value = match text.trim().strip_prefix(name) {
-        Some("") if is_name && name != "None" => None,
+        Some("") if name == "None" => Some(Value::Null),
+        Some("") if is_name => None,
         // a variant with fields
         Some(fields) if is_name && name != "Some" => {
             ron(fields).map(|fields| Value::Object(Map::from_iter([(name.to_owned(), fields)])))
