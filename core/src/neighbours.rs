@@ -1,6 +1,7 @@
 //! Which particles are close to which, for the caller. Nothing here is part of a step.
 use crate::arithmetic::real::vec3;
 use crate::grid::{Cells, Stencil, cell_of, is_inactive_cell};
+use crate::layout::f32x4;
 use crate::memory::Sorting;
 use crate::passes::b_sort::count::count;
 use crate::passes::b_sort::scan::scan;
@@ -127,6 +128,28 @@ impl Neighbours<'_, '_> {
                 }
             }
         }
+    }
+
+    /// Returns the slots of the particles around a particle, the particle itself included.
+    pub(crate) fn around(&self, slot: usize) -> impl Iterator<Item = usize> {
+        let (solver, state) = (self.solver, self.solver.state());
+        let support = support_close(&solver.plan().model, solver.parameters(), state.density_pressure[slot][0]);
+        self.near(state.position[slot], support)
+    }
+
+    /// Returns the slots of the particles around a position with this support radius over that of the scene.
+    pub(crate) fn near(&self, position: f32x4, own: f32) -> impl Iterator<Item = usize> {
+        let (p, m) = (self.solver.parameters(), &self.solver.plan().model);
+        let state = self.solver.state();
+        let source_slot = self.solver.memory.scratch.source_slot(state.id.len());
+        let cell = cell_of(p, position).unwrap_or(0) as usize;
+        let stencil = Stencil::around(p, self.layers(), self.cells(), cell);
+        let runs = stencil.runs().collect::<heapless::Vec<_, 27>>();
+        runs.into_iter().flat_map(move |run| &source_slot[run]).map(|&b| b as usize).filter(move |&b| {
+            let (x_a, x_b) = (vec3::<f32>::splat(position), vec3::splat(state.position[b]));
+            let scale = pair_scale(m, own, support_close(m, p, state.density_pressure[b][0]));
+            squared_ratio(m, p, separation(m, p, x_a, x_b), scale) < 1.0
+        })
     }
 
     fn cells(&self) -> Cells<'_> {

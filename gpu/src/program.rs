@@ -2,11 +2,11 @@
 //! point, and the terms (core's formulas) that these call.
 use crate::bindings::{CELL_BLOCK, declarations, reads_pairs, workgroup};
 use crate::functions::Functions;
-use millpond_core::Pass;
 use millpond_core::backend::layout::{
     MATERIALS, MOST_ATTEMPTS, Materials, Model, PLANES, Parameters, QUANTITIES_OF_ID, StepUniform, TABLE_ENTRIES,
     TABLE_WORDS,
 };
+use millpond_core::{Array, Pass};
 
 /// Where division and square root come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,6 +86,9 @@ pub fn program(pass: Pass, model: &Model, intrinsics: Intrinsics) -> String {
     out += include_str!("shaders/grid.wgsl");
     if reads_pairs(pass) {
         out += include_str!("shaders/local.wgsl");
+    }
+    if pass.bindings().iter().any(|binding| binding.array == Array::acceleration_field) {
+        out += include_str!("shaders/field.wgsl");
     }
     out += &format!("const WORKGROUP: u32 = {}u;\nconst CELL_BLOCK: u32 = {CELL_BLOCK}u;\n", workgroup(pass));
     out += &declarations(pass, model);

@@ -2,8 +2,8 @@
 use super::Add;
 use super::scenes::{pulled, second_fluid, walls};
 use millpond_core::scene::{
-    Correction, DensityForm, EquationOfState, Evaluation, Formulation, Iteration, Kernel, NearPressure, PressureForce,
-    PressureSolver, SupportRange, SurfaceTension, Viscosity, WallPressure,
+    Correction, DensityDiffusion, DensityForm, EquationOfState, Evaluation, Formulation, Iteration, Kernel,
+    NearPressure, PressureForce, PressureSolver, SupportRange, SurfaceTension, Viscosity, WallPressure,
 };
 
 pub fn kernels_and_pressure(add: Add<'_>) {
@@ -25,6 +25,19 @@ pub fn kernels_and_pressure(add: Add<'_>) {
         add(format!("density {density:?}"), &|s| s.model.density = density);
         add(format!("density {density:?}, calibrated"), &|s| {
             (s.model.density, s.model.normalize_mass) = (density, true);
+        });
+    }
+    for diffusion in [DensityDiffusion::Plain, DensityDiffusion::Hydrostatic] {
+        for density in [DensityForm::Continuity, DensityForm::ContinuityAdapted] {
+            add(format!("{density:?}, diffusion {diffusion:?}"), &|s| {
+                (s.model.density, s.model.density_diffusion, s.model.diffusion) = (density, diffusion, 0.2);
+            });
+        }
+        add(format!("diffusion {diffusion:?}, walls, two fluids"), &|s| {
+            (s.model.density, s.model.density_diffusion) = (DensityForm::Continuity, diffusion);
+            s.model.wall_pressure = WallPressure::Extrapolated;
+            walls(s);
+            second_fluid(s);
         });
     }
     for &force in PressureForce::ALL {

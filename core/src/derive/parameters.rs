@@ -91,6 +91,7 @@ pub(super) fn parameters(
         breaking_stretch: elasticity.break_at.map_or(f32::MAX, |stretch| 1.0 + stretch),
         correction_source: CORRECTION_SOURCE,
         tolerance: model.correction.tolerance,
+        diffusion: (f64::from(model.diffusion) * support) as f32,
         alpha: model.alpha,
         beta: model.beta,
         monaghan_gingold_factor: 2.0 * (d as f32 + 2.0),

@@ -14,6 +14,8 @@ shared! {
         pub evaluation: u32,
         /// [`terms::density`](crate::terms::density).
         pub density: u32,
+        /// [`terms::diffusion`](crate::terms::diffusion); 0: none.
+        pub density_diffusion: u32,
         /// [`terms::correction`](crate::terms::correction): how pressure is computed.
         pub pressure_solver: u32,
         /// [`terms::state`](crate::terms::state).

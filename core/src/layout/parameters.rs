@@ -84,6 +84,8 @@ shared! {
         pub correction_source: f32,
         /// Largest relative density error at which the pressure iteration has converged.
         pub tolerance: f32,
+        /// `2 delta h` of the diffusion of density, m: its coefficient times the support radius.
+        pub diffusion: f32,
         /// Linear coefficient of the artificial viscosity.
         pub alpha: f32,
         /// Quadratic coefficient of the artificial viscosity.

@@ -1,11 +1,11 @@
 //! The contribution of a neighbour to the sums from which density, near pressure and volume follow.
 use super::context::Setup;
 use crate::arithmetic::real::{Real, real};
-use crate::terms::density::{number_density_neighbour, summed_neighbour};
+use crate::terms::density::{number_density_neighbour, summed_neighbour, sums_walls, wall_density_neighbour};
 use crate::terms::near::{DOUBLE_DENSITY, near_density_neighbour};
 
-/// Returns the contributions of a neighbour with this mass to the sums of density, near density and number density. The
-/// fourth number is 0.
+/// Returns the contributions of a neighbour with this mass to the sums of density, near density, number density, and
+/// of the density of wall particles.
 #[inline(always)]
 pub(crate) fn of_neighbour<R: Real>(setup: &Setup<'_>, mass: R, q2: R, scale: R) -> [R; 4] {
     beside(setup, summed_neighbour(setup.model, setup.tables, mass, q2, scale), mass, q2, scale)
@@ -18,5 +18,6 @@ pub(crate) fn beside<R: Real>(setup: &Setup<'_>, sum: R, mass: R, q2: R, scale: 
     let none = real(0.0);
     let near = if m.near_pressure == DOUBLE_DENSITY { near_density_neighbour(m, mass, q2, scale) } else { none };
     let number = if m.has_number_density_volume == 1 { number_density_neighbour(m, t, q2, scale) } else { none };
-    [sum, near, number, none]
+    let of_wall = if sums_walls(m) { wall_density_neighbour(m, t, mass, q2, scale) } else { none };
+    [sum, near, number, of_wall]
 }

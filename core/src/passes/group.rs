@@ -91,6 +91,12 @@ impl Group<'_> {
     pub(crate) fn are_walls(&self) -> bool {
         self.particles.are_walls(self.setup, self.first, self.last)
     }
+
+    /// Returns whether some receivers are wall particles or inactive.
+    #[inline(always)]
+    pub(crate) fn have_walls(&self) -> bool {
+        self.particles.have_walls(self.setup, self.first, self.last)
+    }
 }
 
 /// Position of the cell search for each receiver: the index of the run of slots, and the slot in that run.

@@ -114,6 +114,12 @@ impl Particles<'_> {
         let held = setup.model.wall_particles != 0 || setup.model.has_air == 1;
         held && self.velocity[first..=last].iter().all(|v| is_wall(setup.materials, v[3]))
     }
+
+    /// Returns whether some of the particles `first ..= last` are wall particles or inactive.
+    #[inline(always)]
+    pub(crate) fn have_walls(&self, setup: &Setup<'_>, first: usize, last: usize) -> bool {
+        self.velocity[first..=last].iter().any(|v| is_wall(setup.materials, v[3]))
+    }
 }
 
 /// Loads rows `first ..= last`, each in all lanes of a receiver. The last row fills the remaining lanes.

@@ -31,13 +31,13 @@ mod candidates;
 pub(crate) mod columns;
 pub(crate) mod context;
 mod density_sums;
-mod field;
+pub(crate) mod field;
 mod group;
 mod half_stencil;
 pub(crate) mod lanes;
 mod listing;
 pub(crate) mod lists;
-mod local;
+pub(crate) mod local;
 mod pairs;
 
 pub(crate) mod a_move {
@@ -58,6 +58,8 @@ pub(crate) mod c_density {
     pub(crate) mod density;
     pub(crate) mod neighbours;
     pub(crate) mod support;
+    pub(crate) mod wall_states;
+    pub(crate) mod wall_sums;
 }
 
 pub(crate) mod d_forces {

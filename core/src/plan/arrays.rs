@@ -2,6 +2,7 @@
 //! exists. Views, memory requirements, GPU buffers and bindings, comparisons and saved bytes are all derived from it.
 use crate::layout::{Model, f32x4, u32x2, u32x4};
 use crate::terms::integrate::{has_history, needs_predicted_velocity, needs_start_acceleration};
+use crate::terms::wall::EXTRAPOLATED;
 
 /// Hands the table to a macro. A row is: name, for [`State`](crate::memory::State) the quantity that errors name,
 /// element type, unit, condition; and, for an array that a step sorts, the array from which its entries come. A slot is
@@ -84,6 +85,10 @@ macro_rules! with_arrays {
                 previous_density_pressure: f32x4 per Particle, if |m| m.needs_previous(), from density_pressure@old;
                 /// Support radius of each particle over that of the scene. Only with variable support.
                 support_ratio: f32 per Particle, if |m| m.has_variable_support == 1;
+                /// Velocity of each particle as viscosity sees it, m/s; w: material. That of a wall particle is
+                /// extrapolated from the fluid, and its w is its pressure in Pa until that is stored. Only with walls
+                /// that are extrapolated.
+                seen_velocity: f32x4 per Particle, if |m| m.wall_particles == EXTRAPOLATED;
                 /// Acceleration without pressure, m/s2; w as in the acceleration. Only with pressure correction.
                 non_pressure_acceleration: f32x4 per Particle, if |m| m.corrects_pressure();
                 /// Accelerations at the start of the step, in the slots after it, m/s2. Only with integrators that need

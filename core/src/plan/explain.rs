@@ -2,6 +2,7 @@
 use super::Plan;
 use super::passes::Pass;
 use crate::scene::{PressureSolver, Viscosity};
+use crate::terms::extrapolation::extrapolates_velocity;
 use crate::terms::{density, integrate, tension};
 use heapless::Vec;
 
@@ -43,11 +44,17 @@ impl Plan {
             Pass::Density => {
                 add(choice.density.terms(), true);
                 add(if continuity { slope } else { value }, true);
+                add(choice.density_diffusion.terms(), m.density_diffusion != 0);
                 add(&["interpolated"], m.reads_tables());
                 add(&["volume_by_number"], m.has_number_density_volume == 1);
                 add(choice.equation_of_state.terms(), !corrects);
                 add(&choice.near_pressure.terms()[..choice.near_pressure.terms().len().min(1)], m.near_pressure != 0);
             }
+            Pass::WallSums => {
+                add(&["wall_weight", "wall_pressure_neighbour"], true);
+                add(&["wall_velocity"], extrapolates_velocity(m));
+            }
+            Pass::WallStates => add(&["wall_deviation"], true),
             Pass::Force => {
                 add(choice.pressure_force.terms(), !corrects);
                 add(slope, !corrects);
@@ -102,6 +109,11 @@ impl Plan {
         let lists = m.cell_places > 0;
         let all = [
             (m.near_pressure == 0, "near pressure", "model.near_pressure is Off, or near_stiffness is 0 in all fluids"),
+            (
+                m.density_diffusion == 0,
+                "diffusion of density",
+                "model.density_diffusion is Off, or model.diffusion is 0",
+            ),
             (
                 m.viscosity == 0,
                 "viscosity",

@@ -18,7 +18,7 @@ use crate::scene::{
     Adjustable, DensityForm, Dimension, Evaluation, Fluid, Formulation, GridStructure, NearPressure, Reflection,
     SurfaceTension, Traversal, Viscosity,
 };
-use crate::terms::{near, tension, viscosity, wall};
+use crate::terms::{diffusion, near, tension, viscosity, wall};
 use crate::validate::Checked;
 use glam::Vec3;
 use passes::Pass;
@@ -57,6 +57,11 @@ impl Plan {
         let blocks_differ = scene.blocks.iter().any(|b| b.dynamic_viscosity.is_some());
         Plan {
             model: Model {
+                density_diffusion: if choice.diffusion == 0.0 {
+                    diffusion::NO_DIFFUSION
+                } else {
+                    everything.model.density_diffusion
+                },
                 near_pressure: if near { everything.model.near_pressure } else { near::NEAR_OFF },
                 viscosity: if drags { everything.model.viscosity } else { viscosity::NO_VISCOSITY },
                 has_velocity_exchange: u32::from(shears || choice.radial_exchange != 0.0),
@@ -103,6 +108,7 @@ impl Plan {
                 viscosity_kernel: choice.viscosity_kernel as u32,
                 evaluation: choice.evaluation as u32,
                 density: choice.density as u32,
+                density_diffusion: choice.density_diffusion as u32,
                 pressure_solver: choice.pressure_solver as u32,
                 equation_of_state: own_equation(scene.first_fluid()) as u32,
                 iteration: choice.correction.iteration as u32,

@@ -3,6 +3,7 @@
 use super::arrays::{Array, Side, side};
 use crate::layout::Model;
 use crate::terms::integrate::needs_predicted_velocity;
+use crate::terms::wall::EXTRAPOLATED;
 
 /// Hands the table to a macro, in the order of a step. A row is: name, folder and file, GPU threads, use of the status,
 /// condition, and the arrays that the pass reads and writes on a GPU, in the order of their bindings. `@old` and `@new`
@@ -53,10 +54,17 @@ macro_rules! with_passes {
             Density: c_density / density, particles, reads, if |_| true, [
                 read cell_start, read position@new, read velocity@new, read previous_density_pressure,
                 read support_ratio, write density_pressure@new];
+            /// Takes pressure and velocity from the fluid to wall particles (with extrapolated walls).
+            WallSums: c_density / wall_sums, particles, reads, if |m| m.wall_particles == EXTRAPOLATED, [
+                read cell_start, read position@new, read velocity@new, read density_pressure@new, read support_ratio,
+                read acceleration_field, write seen_velocity];
+            /// Sets pressure, density and volume of wall particles (with extrapolated walls).
+            WallStates: c_density / wall_states, particles, reads, if |m| m.wall_particles == EXTRAPOLATED, [
+                read position@new, read velocity@new, write density_pressure@new, write seen_velocity];
             /// Computes accelerations; with pressure correction, those without pressure.
             Force: d_forces / force, particles, reads, if |_| true, [
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read support_ratio,
-                read acceleration_field, write acceleration@force];
+                read acceleration_field, read seen_velocity, write acceleration@force];
             /// Finds the normals of surfaces (if the surface tension or the caller needs them).
             Normals: d_forces / normals, particles, reads, if |m| m.has_normals == 1, [
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read support_ratio,

@@ -58,7 +58,9 @@ pub fn schedule(m: &Model, iterations: u32) -> Schedule {
     let (before, after) = Pass::ALL.split_at(Pass::SpawnRequests as usize);
     add(&mut commands, m, before, iterations);
     if m.is_reevaluated == 1 {
-        let forces = [Pass::Force, Pass::Tension, Pass::Springs].into_iter().filter(|pass| pass.runs(m));
+        let forces = [Pass::WallSums, Pass::WallStates, Pass::Force, Pass::Tension, Pass::Springs]
+            .into_iter()
+            .filter(|pass| pass.runs(m));
         forces.for_each(|pass| push(&mut commands, Command::RunAgain(pass)));
     }
     add(&mut commands, m, after, iterations);
@@ -87,9 +89,11 @@ fn add(commands: &mut Schedule, m: &Model, passes: &[Pass], iterations: u32) {
                 floats.for_each(|array| push(commands, Command::Validate(array)));
             }
             Pass::PressureForce => {
-                let body = [Pass::PressureForce, Pass::PressureCorrect, Pass::PressureConverged];
-                push(commands, Command::Repeat { commands: body.len() as u8, most: iterations });
-                body.into_iter().chain([pass]).for_each(|pass| push(commands, Command::Run(pass)));
+                // walls follow the pressure of the fluid in every iteration
+                let force = || [Pass::WallSums, Pass::WallStates, pass].into_iter().filter(|pass| pass.runs(m));
+                let body = || force().chain([Pass::PressureCorrect, Pass::PressureConverged]);
+                push(commands, Command::Repeat { commands: body().count() as u8, most: iterations });
+                body().chain(force()).for_each(|pass| push(commands, Command::Run(pass)));
             }
             // already added together with the pressure force
             Pass::PressureCorrect | Pass::PressureConverged => {}

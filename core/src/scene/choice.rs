@@ -1,7 +1,9 @@
 //! The enumerations of a scene: every choice between formulas or data structures. A formula ("term") that compares a
 //! choice defines the numbers of its variants; they are imported here. The names of the formulas are those of their
 //! functions.
-use crate::terms::{correction, density, integrate, kernel, near, pressure, state, table, tension, viscosity, wall};
+use crate::terms::{
+    correction, density, diffusion, integrate, kernel, near, pressure, state, table, tension, viscosity, wall,
+};
 
 /// Defines a choice between formulas: its variants, the number that the formula compares, and the names of the
 /// functions.
@@ -78,6 +80,24 @@ choice! {
         /// Integrates `d rho_a / dt = m_a sum (v_a - v_b) . grad W_ab` (Pirovano, section 4.1.2, corrected): the
         /// continuity equation for fluids of different densities.
         ContinuityAdapted = density::CONTINUITY_ADAPTED => &["continuity_neighbour"],
+    }
+}
+
+choice! {
+    /// A diffusion of density between particles of one fluid, which damps the noise of the pressure that the continuity
+    /// equation leaves: nothing else acts on a mode that changes sign from one particle to the next. It conserves mass
+    /// pair by pair. Its coefficient is [`Formulation::diffusion`](super::Formulation::diffusion).
+    #[derive(Default)]
+    pub enum DensityDiffusion {
+        /// No diffusion (default).
+        #[default]
+        Off = diffusion::NO_DIFFUSION => &[],
+        /// Diffusion of the density (Molteni and Colagrossi 2009). It also works against the gradient of density that
+        /// gravity causes, so a fluid at rest slowly creeps; for flows without gravity.
+        Plain = diffusion::PLAIN => &["diffusion_neighbour"],
+        /// Diffusion of the density that is not due to the weight of the fluid (Fourtakas et al. 2019). A fluid at rest
+        /// stays at rest.
+        Hydrostatic = diffusion::HYDROSTATIC => &["diffusion_neighbour", "hydrostatic_difference"],
     }
 }
 
@@ -221,9 +241,14 @@ choice! {
         /// or two.
         Mirrored = wall::MIRRORED => &["wall_mirrored"],
         /// Dynamic boundary particles: wall particles have a density and a pressure of their own, like the fluid
-        /// (Pirovano, section 3.5.3); at least three layers.
+        /// (Pirovano, section 3.5.3); at least three layers. Their density is a sum in every form of density, because
+        /// the error of a rate would add up in particles that do not move with the fluid.
         #[cfg_attr(feature = "serde", serde(alias = "QuasiFluid"))]
-        Dynamic = wall::DYNAMIC => &["wall_dynamic"],
+        Dynamic = wall::DYNAMIC => &[],
+        /// The pressure of the fluid around the wall particle, continued into the wall by its weight (Adami, Hu and
+        /// Adams 2012); layers as far as a support radius reaches. With a viscosity, and without slip, the velocity
+        /// that the fluid sees is continued too, so that it vanishes at the surface of the wall.
+        Extrapolated = wall::EXTRAPOLATED => &["wall_pressure_neighbour"],
     }
 }
 

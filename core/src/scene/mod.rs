@@ -18,8 +18,9 @@ mod time;
 pub use adjustable::Adjustable;
 pub use air::Air;
 pub use choice::{
-    DensityForm, Dimension, EquationOfState, Evaluation, FACES, Face, GridStructure, Integrator, Iteration, Kernel,
-    NearPressure, PressureForce, PressureSolver, Reflection, SurfaceTension, Traversal, Viscosity, WallPressure,
+    DensityDiffusion, DensityForm, Dimension, EquationOfState, Evaluation, FACES, Face, GridStructure, Integrator,
+    Iteration, Kernel, NearPressure, PressureForce, PressureSolver, Reflection, SurfaceTension, Traversal, Viscosity,
+    WallPressure,
 };
 pub use elasticity::{Elasticity, Plasticity};
 pub use fluid::{Block, FLUIDS, Fluid};

@@ -1,7 +1,7 @@
 //! The formulation of a scene: which formulas it uses, and their coefficients.
 use super::choice::{
-    DensityForm, EquationOfState, Evaluation, Integrator, Iteration, Kernel, NearPressure, PressureForce,
-    PressureSolver, SurfaceTension, Viscosity, WallPressure,
+    DensityDiffusion, DensityForm, EquationOfState, Evaluation, Integrator, Iteration, Kernel, NearPressure,
+    PressureForce, PressureSolver, SurfaceTension, Viscosity, WallPressure,
 };
 
 /// The formulas of a scene and their coefficients, which are the same for all fluids. The defaults are those of
@@ -27,6 +27,11 @@ pub struct Formulation {
     pub evaluation: Evaluation,
     /// How density is computed (default summation).
     pub density: DensityForm,
+    /// Diffusion of the density (default off), with [`DensityForm::Continuity`] or [`DensityForm::ContinuityAdapted`].
+    pub density_diffusion: DensityDiffusion,
+    /// Coefficient of the diffusion of density, 0 to 1 (default 0.1, as Molteni and Colagrossi 2009 and Fourtakas et
+    /// al. 2019 use). The diffusivity is this times the smoothing length times the speed of sound.
+    pub diffusion: f32,
     /// Starts with the hydrostatic density of a fluid at rest under gravity, and with particle masses that match it
     /// (Roy, section 3.1; default off). Each fluid is taken to be a layer perpendicular to gravity, from the highest
     /// to the lowest point of its blocks. Use it for a fluid that is to be at rest at the start.
@@ -103,6 +108,8 @@ impl Default for Formulation {
             viscosity_kernel: Kernel::Viscosity,
             evaluation: Evaluation::Direct,
             density: DensityForm::Summation,
+            density_diffusion: DensityDiffusion::Off,
+            diffusion: 0.1,
             initialize_hydrostatic: false,
             normalize_mass: false,
             pressure_solver: PressureSolver::EquationOfState,

@@ -62,7 +62,8 @@ pub struct Wall {
     #[cfg_attr(feature = "serde", serde(default))]
     pub fluid: u32,
     /// Dynamic viscosity between the wall and a fluid particle, Pa s, 0 or more (default `None`: that of the fluid
-    /// particle, which means no slip; 0 means free slip).
+    /// particle, which means no slip; 0 means free slip, also with
+    /// [`Viscosity::Artificial`](super::Viscosity::Artificial), which does not use the value otherwise).
     #[cfg_attr(feature = "serde", serde(default))]
     pub dynamic_viscosity: Option<f32>,
 }

@@ -55,6 +55,22 @@ pub fn summed_neighbour<R: Real>(m: &Model, t: &Tables, mass_b: R, q2: R, scale:
     return number_density_neighbour(m, t, q2, scale);
 }
 
+/// Returns the contribution of a neighbour to the density of a dynamic wall particle, which is a sum in every form: a
+/// wall does not move with the fluid, and the error of a rate would add up without end.
+#[inline(always)]
+pub fn wall_density_neighbour<R: Real>(m: &Model, t: &Tables, mass_b: R, q2: R, scale: R) -> R {
+    if m.density == CONTINUITY {
+        return density_neighbour(m, t, mass_b, q2, scale);
+    }
+    return number_density_neighbour(m, t, q2, scale);
+}
+
+/// Returns whether the density of wall particles is a sum although that of the fluid is integrated in time.
+#[inline(always)]
+pub fn sums_walls(m: &Model) -> bool {
+    return m.wall_particles == DYNAMIC && is_stepped(m);
+}
+
 /// Returns the contribution of a neighbour to `d (rho_a / rho0) / dt = sum m_b / rho0 (v_a - v_b) . grad W_ab`
 /// (Pirovano, eq. 2.12), 1/s. The kernel constant and the mass are applied to the whole sum.
 #[inline(always)]
@@ -115,13 +131,13 @@ pub fn deviation_stepped<R: Real>(u: &StepUniform, deviation: R, rate: R) -> R {
 }
 
 /// Returns the volume by the number density, `V_a = 1 / delta_a` (Solenthaler and Pajarola 2008), m3 (m2 in 2D). A
-/// mirroring wall particle keeps `volume`, that at rest.
+/// wall particle that follows the fluid keeps `volume`, that at rest.
 #[inline(always)]
 pub fn volume_by_number<R: Real>(m: &Model, p: &Parameters, volume: R, sum: R, wall: R) -> R {
     let rest: R = real(p.rest_volume);
     // The sum is 0 for a wall particle whose neighbours are not counted.
     let counted = div(rest, larger(sum * p.density_constant, real(0.000001)));
-    return wall_mirrored(m, volume, counted, wall);
+    return wall_following(m, volume, counted, wall);
 }
 
 /// Returns the volume `V_a = m_a / rho_a` of a particle, m3 (m2 in 2D).

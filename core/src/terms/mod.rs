@@ -24,9 +24,11 @@ pub mod air;
 pub mod boundary;
 pub mod correction;
 pub mod density;
+pub mod diffusion;
 pub mod elastic;
 pub mod exchange;
 pub mod external;
+pub mod extrapolation;
 pub mod geometry;
 pub mod integrate;
 pub mod internal_energy;
@@ -44,7 +46,7 @@ pub mod viscosity;
 pub mod wall;
 pub mod xsph;
 
-texts!(air boundary correction density elastic exchange external geometry internal_energy near
+texts!(air boundary correction density diffusion elastic exchange external extrapolation geometry internal_energy near
     neighbour pair pressure state
     support table tension time_step viscosity wall xsph);
 

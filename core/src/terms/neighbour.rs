@@ -26,7 +26,7 @@ pub fn push_of_near_pressure<R: Real>(m: &Model, p: &Parameters, a: Local<R>, b:
         return real(0.0);
     }
     let slope = slope_scaled(m, near_slope(m, q), scale) * p.near_constant;
-    let pressure_b = wall_mirrored(m, a.near_pressure, b.near_pressure, b.wall);
+    let pressure_b = wall_following(m, a.near_pressure, b.near_pressure, b.wall);
     return pressure_mueller(a.near_pressure, pressure_b, neighbour_volume(m, a, b), slope);
 }
 

@@ -48,6 +48,46 @@ pub fn pressure_of_state<R: Real>(m: &Model, deviation: R, stiffness: R, equatio
     return pressure_ideal_gas(deviation, stiffness);
 }
 
+/// Returns the density deviation at a pressure by Tait's equation, the inverse of [`pressure_tait`]: `e` improved by a
+/// step of Newton's method, where `x` is the pressure over the stiffness.
+#[inline(always)]
+pub fn tait_refined<R: Real>(e: R, x: R) -> R {
+    let one: R = real(1.0);
+    let s = e + 1.0;
+    let cubed = s * s * s;
+    return e - div(pressure_tait(e, one) - x, cubed * cubed * 7.0);
+}
+
+/// Returns the density deviation at a pressure by Tait's equation, to the last bits of an f32. It is at least -1/2, so
+/// that a volume stays finite where the pressure is below that of any density.
+#[inline(always)]
+pub fn deviation_tait<R: Real>(pressure: R, stiffness: R) -> R {
+    // the seventh root is found from the eighth one, which is close to it
+    let x = larger(div(pressure, stiffness), real(-0.9921875));
+    let close = root(root(root(x + 1.0))) - 1.0;
+    return tait_refined(tait_refined(tait_refined(tait_refined(tait_refined(close, x), x), x), x), x);
+}
+
+/// Returns the density deviation at a pressure by the equation of state, the inverse of [`pressure_of_state`]; at least
+/// -1/2.
+#[inline(always)]
+pub fn deviation_of_state<R: Real>(m: &Model, pressure: R, stiffness: R, equation: R) -> R {
+    let least: R = real(-0.5);
+    let linear = larger(div(pressure, stiffness), least);
+    let gas = larger(div(pressure, stiffness) - 1.0, least);
+    if m.has_mixed_state_equations == 1 {
+        let other = select(gas, linear, less(equation, real(1.5)));
+        return select(other, deviation_tait(pressure, stiffness), less(equation, real(0.5)));
+    }
+    if m.equation_of_state == TAIT {
+        return deviation_tait(pressure, stiffness);
+    }
+    if m.equation_of_state == LINEAR {
+        return linear;
+    }
+    return gas;
+}
+
 /// Limits the pressure to at least 0 where the scene does not allow negative pressure. A fluid below its rest density
 /// then does not pull.
 #[inline(always)]

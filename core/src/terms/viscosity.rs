@@ -113,5 +113,5 @@ pub fn viscosity_pair<R: Real>(
     let equation_b = wall_mirrored(m, a.state_equation, b.state_equation, b.wall);
     let mean_sound = (sound_a + sound_of_state(m, b.deviation, sound_b, equation_b)) * 0.5;
     let along = viscosity_artificial(p, mean_density_weight(m, p, a, b), mean_sound, approach, inverse_square);
-    return x_ab * (along * fall);
+    return x_ab * (unless_slipping(m, b, along) * fall);
 }

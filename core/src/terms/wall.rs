@@ -9,6 +9,24 @@ pub const NO_WALLS: u32 = 0;
 pub const MIRRORED: u32 = 1;
 /// Dynamic boundary particles (Pirovano, section 3.5.3).
 pub const DYNAMIC: u32 = 2;
+/// Wall particles that take their pressure and velocity from the fluid around them (Adami, Hu and Adams 2012).
+pub const EXTRAPOLATED: u32 = 3;
+
+/// Returns whether wall particles have no density of their own: what a fluid particle sees of them follows from the
+/// fluid.
+#[inline(always)]
+pub fn follows_fluid(m: &Model) -> bool {
+    return m.wall_particles == MIRRORED || m.wall_particles == EXTRAPOLATED;
+}
+
+/// Returns `x` for a neighbour in the fluid, and the particle's own value for a wall particle that follows the fluid.
+#[inline(always)]
+pub fn wall_following<R: Real>(m: &Model, own: R, x: R, wall_b: R) -> R {
+    if follows_fluid(m) {
+        return select(x, own, less(real(0.0), wall_b));
+    }
+    return x;
+}
 
 /// Returns `x` for a neighbour in the fluid, and the particle's own value for a mirroring wall particle (Hinsch 2024,
 /// algorithm 1). With a mirrored pressure the wall always reacts, and never pulls harder than the fluid does.
@@ -33,6 +51,18 @@ pub fn pair_viscosity<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {
     return select((a.viscosity + b.viscosity) * 0.5, of_wall, less(nothing, b.wall));
 }
 
+/// Returns `x`, or 0 for a wall particle without friction, whose viscosity is 0. Artificial viscosity acts between
+/// particles that approach each other, and those that slide along a wall approach the wall particles ahead of them.
+#[inline(always)]
+pub fn unless_slipping<R: Real>(m: &Model, b: Local<R>, x: R) -> R {
+    if m.wall_particles == NO_WALLS {
+        return x;
+    }
+    // b.wall is 0 for a fluid particle
+    let slips = less(abs(b.viscosity), b.wall * 0.000000000001);
+    return select(x, real(0.0), slips);
+}
+
 /// Returns `x` for a fluid particle, and 0 for a wall particle or an inactive air particle.
 #[inline(always)]
 pub fn if_free<R: Real>(m: &Model, x: vec3<R>, wall: R) -> vec3<R> {
@@ -53,21 +83,21 @@ pub fn only_if_free<R: Real>(m: &Model, held: vec3<R>, free: vec3<R>, wall: R) -
     return vec3(select(free.x, held.x, is_held), select(free.y, held.y, is_held), select(free.z, held.z, is_held));
 }
 
-/// Returns the mass of a neighbour over that of a particle of the scene's first fluid at rest. A mirroring wall
-/// particle counts as one of the particle's own fluid.
+/// Returns the mass of a neighbour over that of a particle of the scene's first fluid at rest. A wall particle
+/// that follows the fluid counts as one of the particle's own fluid.
 #[inline(always)]
 pub fn mass_seen<R: Real>(m: &Model, rest_a: R, mass_b: R, rest_b: R, wall_b: R) -> R {
     if m.is_multi_fluid == 0 {
         return mass_b;
     }
-    return mass_b * wall_mirrored(m, rest_a, rest_b, wall_b);
+    return mass_b * wall_following(m, rest_a, rest_b, wall_b);
 }
 
-/// Returns the density of a neighbour over the rest density of the scene's first fluid. A mirroring wall particle
-/// counts as one of the particle's own fluid.
+/// Returns the density of a neighbour over the rest density of the scene's first fluid. A wall particle that
+/// follows the fluid counts as one of the particle's own fluid.
 #[inline(always)]
 pub fn density_seen<R: Real>(m: &Model, a: Local<R>, b: Local<R>) -> R {
-    return density_ratio(m, b.deviation, wall_mirrored(m, a.rest_ratio, b.rest_ratio, b.wall));
+    return density_ratio(m, b.deviation, wall_following(m, a.rest_ratio, b.rest_ratio, b.wall));
 }
 
 /// Returns `m_b / m_a`.

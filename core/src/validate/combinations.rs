@@ -5,8 +5,8 @@ use super::traversal;
 use crate::derive::scales::Scales;
 use crate::error::{Field, SceneError};
 use crate::scene::{
-    Adjustable, Air, Correction, DensityForm, Elasticity, EquationOfState, Evaluation, Fluid, GridStructure, Iteration,
-    Kernel, NearPressure, PressureForce, Scene, SurfaceTension, Viscosity, WallPressure,
+    Adjustable, Air, Correction, DensityDiffusion, DensityForm, Elasticity, EquationOfState, Evaluation, Fluid,
+    GridStructure, Iteration, Kernel, NearPressure, PressureForce, Scene, SurfaceTension, Viscosity, WallPressure,
 };
 use glam::Vec3;
 
@@ -142,6 +142,15 @@ fn pressure(scene: &Scene) -> Result<(), SceneError> {
             "model.wall_pressure Mirrored",
             "a mirrored pressure does not differ from the fluid's, so walls would not hold the fluid; use \
              wall_pressure Dynamic, or another pressure_force",
+        ));
+    }
+    let is_stepped = matches!(model.density, DensityForm::Continuity | DensityForm::ContinuityAdapted);
+    if model.density_diffusion != DensityDiffusion::Off && !is_stepped {
+        return Err(not_together(
+            "model.density_diffusion",
+            "a model.density other than Continuity or ContinuityAdapted",
+            "a density that is summed anew in each step cannot diffuse; use model.density Continuity, or \
+             density_diffusion Off",
         ));
     }
     if model.density == DensityForm::NumberDensity && model.initialize_hydrostatic {

@@ -98,6 +98,7 @@ pub(super) fn elasticity(scene: &Scene) -> Result<(), SceneError> {
 
 /// Checks the coefficients of formulas, which are the same for all fluids.
 fn coefficients(model: &Formulation) -> Result<(), SceneError> {
+    share("model.diffusion", model.diffusion)?;
     not_negative("model.alpha", model.alpha)?;
     not_negative("model.beta", model.beta)?;
     share("model.velocity_exchange", model.velocity_exchange)?;

@@ -105,6 +105,11 @@ impl Column {
         f64::from(REST_DENSITY) * f64::from(self.gravity) * f64::from(self.depth)
     }
 
+    /// Returns the error of the pressure of a layer, given with its height, over the pressure at the floor.
+    pub(super) fn off(&self, [height, pressure]: &[f64; 2]) -> f64 {
+        pressure / self.floor_pressure() - (1.0 - height / f64::from(self.depth))
+    }
+
     /// Returns the number of fluid particles that are no longer between the walls.
     pub(super) fn lost(&self, solver: &Solver<'_>) -> usize {
         let inside = |x: f32, y: f32| x >= 0.0 && x <= self.width && y >= 0.0 && y <= self.depth * (1.0 + HEADROOM);
@@ -149,6 +154,14 @@ impl Profile {
     /// Returns the mean height and pressure of each layer of one spacing, from the floor to the surface, without the
     /// excluded layers.
     pub(super) fn layers(&self, column: &Column) -> Vec<[f64; 2]> {
+        let all = self.every_layer(column);
+        let inner = all.len().saturating_sub(MARGIN);
+        all.into_iter().take(inner).skip(MARGIN).flatten().collect()
+    }
+
+    /// Returns the mean height and pressure of every layer of one spacing, from the floor to the surface; `None` for a
+    /// layer without particles.
+    pub(super) fn every_layer(&self, column: &Column) -> Vec<Option<[f64; 2]>> {
         let count = (column.depth / column.spacing).round() as usize;
         let mut layers = vec![([0.0; 2], 0.0); count];
         for sum in &self.sums {
@@ -159,16 +172,14 @@ impl Profile {
                 *particles += 1.0;
             }
         }
-        let inner = layers.into_iter().take(count.saturating_sub(MARGIN)).skip(MARGIN);
-        inner.filter(|(_, n)| *n > 0.0).map(|(sums, n)| sums.map(|sum| sum / n)).collect()
+        layers.into_iter().map(|(sums, n)| (n > 0.0).then(|| sums.map(|sum| sum / n))).collect()
     }
 
     /// Compares the profile with `p = rho0 g (H - y)`. The compression by the equation of state alone causes a
     /// difference of 0.4 % in the middle, if the density at the floor is 1 % higher than at rest.
     pub(super) fn miss(&self, column: &Column) -> Miss {
-        let floor = column.floor_pressure();
         let layers = self.layers(column);
-        let off = |[height, pressure]: &[f64; 2]| pressure / floor - (1.0 - height / f64::from(column.depth));
+        let off = |layer: &[f64; 2]| column.off(layer);
         let rms = mean(&layers, |layer| off(layer).powi(2)).sqrt();
         // without layers the error must not pass as zero
         let largest =

@@ -1,13 +1,13 @@
 //! `hydrostatic`: case H1 (after Adami et al. 2012). A tank of water settles. Its pressure must then balance the weight
 //! of the water above: `p = rho0 g (H - y)`, H being the depth.
 use super::column::{Column, Miss, Profile};
-use super::flow::{checked, start_with, step, steps_to};
+use super::flow::{checked, fluid, larger, mean, start_with, step, steps_to};
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use glam::Vec3;
 use millpond_core::OwnedMemory;
-use millpond_core::scene::{DensityForm, Viscosity, WallPressure, Wind};
+use millpond_core::scene::{DensityDiffusion, DensityForm, Kernel, Viscosity, WallPressure, Wind};
 
 const NAME: &str = "hydrostatic";
 
@@ -38,59 +38,95 @@ const LIMIT: f64 = 0.02;
 /// at the floor), so it is of first order.
 const QUICK_LIMIT: f64 = LIMIT * (QUICK_SPACING / SPACING) as f64;
 
-/// Compared forms of wall pressure and density. The first one has the limit. The others are run for comparison, but not
-/// in a quick study.
-const FORMS: [(WallPressure, DensityForm); 4] = [
-    (WallPressure::Mirrored, DensityForm::Summation),
-    (WallPressure::Dynamic, DensityForm::Summation),
-    (WallPressure::Mirrored, DensityForm::Continuity),
-    (WallPressure::Dynamic, DensityForm::Continuity),
+/// Forms of wall pressure, density and diffusion of density.
+type Form = (WallPressure, DensityForm, DensityDiffusion);
+
+/// Compared forms. A quick study runs only the first [`QUICK_FORMS`].
+const FORMS: [Form; 7] = [
+    (WallPressure::Mirrored, DensityForm::Summation, DensityDiffusion::Off),
+    (WallPressure::Extrapolated, DensityForm::Continuity, DensityDiffusion::Hydrostatic),
+    (WallPressure::Extrapolated, DensityForm::Continuity, DensityDiffusion::Off),
+    (WallPressure::Extrapolated, DensityForm::Summation, DensityDiffusion::Off),
+    (WallPressure::Mirrored, DensityForm::Continuity, DensityDiffusion::Off),
+    (WallPressure::Dynamic, DensityForm::Summation, DensityDiffusion::Off),
+    (WallPressure::Dynamic, DensityForm::Continuity, DensityDiffusion::Off),
 ];
-const LIMITED: usize = 1;
+const QUICK_FORMS: usize = 2;
+
+/// The form whose inner layers have the limit, and the form that has all limits.
+const INNER: Form = FORMS[0];
+const WHOLE: Form = FORMS[1];
+
+/// Kernel and number of neighbours of the whole form, with which a lattice under pressure keeps its rows.
+const REGULAR: (Kernel, f32) = (Kernel::WendlandC2, 32.0);
+
+/// Required limits of the whole form: every layer, those at the floor and at the surface too, within 2 % of the pressure
+/// at the floor; the first layer within 0.05 spacings of half a spacing; the force on the walls within 0.2 % of the
+/// weight of the water.
+const FIRST_LAYER: f64 = 0.05;
+const FORCE: f64 = 0.002;
+
+/// Results of a run. Pressures are over that at the floor.
+struct Settled {
+    /// Errors of the layers without those at the floor and at the surface.
+    inner: Miss,
+    /// Largest error of any layer.
+    every: f64,
+    /// Height of the lowest layer, spacings.
+    first: f64,
+    /// Vertical force on the walls over the weight of the water, minus one.
+    force: f64,
+    /// Loss of mean height, as a share of the mean height.
+    sunk: f64,
+}
 
 pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let (spacing, limit, forms) =
-        if context.quick { (QUICK_SPACING, QUICK_LIMIT, LIMITED) } else { (SPACING, LIMIT, FORMS.len()) };
+        if context.quick { (QUICK_SPACING, QUICK_LIMIT, QUICK_FORMS) } else { (SPACING, LIMIT, FORMS.len()) };
     let column = Column::of_reference_case(spacing);
     let mut figures = Vec::new();
     let mut lines = Vec::new();
-    for (i, (wall, density)) in FORMS.into_iter().take(forms).enumerate() {
-        let result = settle(context, &column, wall, density);
-        let name = format!("{}, {}", wall.name(), density.name());
-        let words = match (&result, i < LIMITED) {
+    for form @ (wall, density, diffusion) in FORMS.into_iter().take(forms) {
+        let name = format!("{}, {}, {}", wall.name(), density.name(), diffusion.name());
+        let percent = |x: f64| format!("{:.2} %", x * 100.0);
+        let column = if form == WHOLE { Column { kernel: REGULAR, jitter: 0.0, ..column } } else { column };
+        let line = match settle(context, &column, form) {
             // forms without a limit may fail, and the note reports the error
-            (Err(Failure::Step(error)), false) => [error.to_string(), String::new()],
-            (Ok((miss, sunk)), _) => {
-                let percent = |x: f64| format!("{:.2} %", x * 100.0);
-                [format!("{}, rms {}", percent(miss.largest), percent(miss.rms)), percent(*sunk)]
+            Err(Failure::Step(error)) if form != INNER && form != WHOLE => {
+                [error.to_string(), String::new(), String::new(), String::new(), String::new()]
             }
-            (Err(_), _) => [String::new(), String::new()],
-        };
-        let [off, sunk] = words;
-        lines.push([name.clone(), off, sunk]);
-        match result {
-            Ok((miss, _)) if i < LIMITED => {
-                figures.push(Metric::below(format!("largest pressure error, {name}"), miss.largest, limit));
-            }
-            Ok(_) => {}
-            Err(Failure::Step(_)) if i >= LIMITED => {}
             Err(failure) => return Err(failure),
-        }
+            Ok(Settled { inner, every, first, force, sunk }) => {
+                if form == INNER {
+                    figures.push(Metric::below(format!("largest pressure error, {name}"), inner.largest, limit));
+                }
+                if form == WHOLE {
+                    figures.push(Metric::below(format!("largest error of every layer, {name}"), every, limit));
+                    figures.push(Metric::below("first layer off half a spacing", (first - 0.5).abs(), FIRST_LAYER));
+                    figures.push(Metric::below("force on the walls, off the weight", force.abs(), FORCE));
+                }
+                let rms = format!("{}, rms {}", percent(inner.largest), percent(inner.rms));
+                [rms, percent(every), format!("{first:.3}"), percent(force), percent(sunk)]
+            }
+        };
+        let [inner, every, first, force, sunk] = line;
+        lines.push([name, inner, every, first, force, sunk]);
     }
-    let titles = ["walls, density", "largest error of a layer, over rho g H", "sunk, over the mean height"];
+    let titles = [
+        "walls, density, diffusion",
+        "largest error of an inner layer, over rho g H",
+        "of every layer",
+        "height of the first layer, spacings",
+        "force on the walls, off the weight",
+        "sunk, over the mean height",
+    ];
     Ok(Outcome::new(NAME, figures, vec![table(titles, lines)]))
 }
 
-/// Returns the errors of the profile, and by how much the water sank, as a share of its mean height.
-fn settle(
-    context: &Context,
-    column: &Column,
-    wall: WallPressure,
-    density: DensityForm,
-) -> Result<(Miss, f64), Failure> {
+fn settle(context: &Context, column: &Column, (wall, density, diffusion): Form) -> Result<Settled, Failure> {
     let mut scene = column.scene();
     scene.model.wall_pressure = wall;
-    scene.model.density = density;
+    (scene.model.density, scene.model.density_diffusion) = (density, diffusion);
     scene.model.initialize_hydrostatic = true;
     scene.model.viscosity = Viscosity::Artificial;
     scene.model.alpha = ALPHA;
@@ -101,11 +137,22 @@ fn settle(
     let mut solver = start_with(NAME, &scene, scene.initial_particles().collect(), &mut heap)?;
     let title = format!("{NAME} {}", wall.name());
     let mut profile = Profile::default();
+    let mut forces = Vec::new();
     step(&title, context, &mut solver, steps_to(&scene, END), STEPS_PER_SAMPLE, |solver| {
         if solver.time() > SETTLED {
             profile.add(solver);
+            // the drag of the air carries a part of the weight as long as the water sinks
+            let drag = fluid(solver).iter().map(|p| f64::from(p.mass * p.velocity.y)).sum::<f64>() * f64::from(-DRAG);
+            forces.push(drag - f64::from(solver.neighbours().force_on_wall(0).y));
         }
     })?;
-    let full = f64::from(column.depth) / 2.0;
-    Ok((profile.miss(column), 1.0 - Column::mean_height(&solver) / full))
+    let weight = fluid(&solver).iter().map(|p| f64::from(p.mass)).sum::<f64>() * f64::from(column.gravity);
+    let layers = profile.every_layer(column);
+    Ok(Settled {
+        inner: profile.miss(column),
+        every: layers.iter().map(|layer| layer.map_or(f64::NAN, |layer| column.off(&layer).abs())).fold(0.0, larger),
+        first: layers.first().copied().flatten().map_or(f64::NAN, |[height, _]| height / f64::from(column.spacing)),
+        force: mean(&forces, |force| *force) / weight - 1.0,
+        sunk: 1.0 - Column::mean_height(&solver) / (f64::from(column.depth) / 2.0),
+    })
 }

@@ -26,16 +26,19 @@ mod evaluation;
 mod extremes;
 mod flow;
 mod hydrostatic;
+mod impact;
 pub mod integrators;
 mod kernels;
 mod laplace_drop;
 mod lattice;
+mod lid;
 mod oscillating_drop;
 mod pressure_correction;
 mod rayleigh_taylor;
 mod recipes;
 mod reference;
 mod ripple;
+mod standing_wave;
 mod stiff_tank;
 mod still_tank;
 mod strata;
@@ -142,6 +145,16 @@ pub const STUDIES: &[Study] = &[
         about: "start-up of a channel flow driven by a moving wall, against the series of Morris et al. 1997",
         run: channel::couette,
     },
+    Study {
+        name: "standing-wave",
+        about: "period and decay of a standing wave in a closed tank, against linear theory",
+        run: standing_wave::run,
+    },
+    Study {
+        name: "lid",
+        about: "a lid slides over a cavity and its side walls for 25 s, and no wall changes its density",
+        run: lid::run,
+    },
     Study { name: "taylor-green", about: "decaying vortices, against the exact solution", run: taylor_green::run },
     Study {
         name: "laplace-drop",
@@ -167,6 +180,11 @@ pub const STUDIES: &[Study] = &[
         name: "rayleigh-taylor",
         about: "growth of a ripple between two fluids, against linear theory; a drop of oil rises through water",
         run: rayleigh_taylor::run,
+    },
+    Study {
+        name: "impact",
+        about: "pressure of a dam break on the far wall, against the experiment of Lobovsky et al. 2014",
+        run: impact::run,
     },
     Study {
         name: "dam-break-front",

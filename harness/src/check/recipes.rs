@@ -1,7 +1,7 @@
 //! Choices of formulas for the studies. Every field is given here, so that studies do not change when defaults do.
 use millpond_core::scene::{
-    Correction, DensityForm, EquationOfState, Evaluation, Formulation, Integrator, Iteration, Kernel, NearPressure,
-    PressureForce, PressureSolver, SurfaceTension, Viscosity, WallPressure,
+    Correction, DensityDiffusion, DensityForm, EquationOfState, Evaluation, Formulation, Integrator, Iteration, Kernel,
+    NearPressure, PressureForce, PressureSolver, SurfaceTension, Viscosity, WallPressure,
 };
 
 /// Pirovano's choices for a single fluid.
@@ -13,6 +13,8 @@ pub(super) const PIROVANO: Formulation = Formulation {
     viscosity_kernel: Kernel::Viscosity,
     evaluation: Evaluation::Direct,
     density: DensityForm::Summation,
+    density_diffusion: DensityDiffusion::Off,
+    diffusion: 0.1,
     initialize_hydrostatic: false,
     normalize_mass: false,
     pressure_solver: PressureSolver::EquationOfState,

@@ -1,9 +1,9 @@
 //! The scene that `tests/bare` and `tests/core_stands_alone.rs` both step.
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
-    Block, Container, Correction, DensityForm, Dimension, EquationOfState, Evaluation, Fluid, Formulation, Grid,
-    Integrator, Iteration, Kernel, NearPressure, PressureForce, PressureSolver, Scene, SurfaceTension, Viscosity,
-    WallPressure,
+    Block, Container, Correction, DensityDiffusion, DensityForm, Dimension, EquationOfState, Evaluation, Fluid,
+    Formulation, Grid, Integrator, Iteration, Kernel, NearPressure, PressureForce, PressureSolver, Scene,
+    SurfaceTension, Viscosity, WallPressure,
 };
 
 /// Returns a scene of a thousand particles in the corner of a box.
@@ -20,6 +20,8 @@ pub fn scene() -> Scene {
         viscosity_kernel: Kernel::Viscosity,
         evaluation: Evaluation::Direct,
         density: DensityForm::Summation,
+        density_diffusion: DensityDiffusion::Off,
+        diffusion: 0.1,
         initialize_hydrostatic: false,
         normalize_mass: false,
         pressure_solver: PressureSolver::EquationOfState,

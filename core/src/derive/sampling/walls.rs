@@ -5,11 +5,12 @@ use crate::derive::scales::Scales;
 use crate::scene::{Face, InitialParticle, Scene, Wall, WallPressure, WallShape};
 use glam::Vec3;
 
-/// Layers of particles in a wall: two with mirrored pressure (Hinsch 2024, section 6.3), three as dynamic boundary
+/// Layers of particles in a wall: two with a mirrored pressure (Hinsch 2024, section 6.3) or an
+/// extrapolated one, three as dynamic boundary
 /// particles (Pirovano, section 3.5.3); more if the support radius reaches further.
 pub(crate) fn wall_layers(scene: &Scene, scales: &Scales) -> u32 {
     let least = match scene.model.wall_pressure {
-        WallPressure::Mirrored => 2,
+        WallPressure::Mirrored | WallPressure::Extrapolated => 2,
         WallPressure::Dynamic => 3,
     };
     let largest = scene.model.variable_support.map_or(1.0, |range| f64::from(range.largest));

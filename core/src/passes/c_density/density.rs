@@ -13,13 +13,14 @@ use crate::passes::local::{Particles, of_material, own_numbers, particles, sprea
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::correction::pressure_carried;
 use crate::terms::density::{
-    continuity_neighbour, deviation_of_sum, deviation_rate, deviation_stepped, is_stepped, volume_by_number,
-    volume_close,
+    continuity_neighbour, deviation_of_sum, deviation_rate, deviation_stepped, is_stepped, sums_walls,
+    volume_by_number, volume_close,
 };
+use crate::terms::diffusion::{HYDROSTATIC, NO_DIFFUSION, diffusion_neighbour, hydrostatic_difference, if_diffusing};
 use crate::terms::near::near_pressure_close;
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use crate::terms::state::{pressure_close, pressure_of_state};
-use crate::terms::wall::{MIRRORED, mass_seen};
+use crate::terms::wall::{follows_fluid, mass_seen};
 
 /// Fills `density_pressure`. Where density depends on distances only, the pass also finds the neighbours and fills
 /// `neighbours`.
@@ -53,6 +54,16 @@ struct Receivers<'a, R> {
     velocity: vec3<R>,
     support: R,
     rest: R,
+    diffusing: Diffusing<'a, R>,
+}
+
+/// The data of the receivers that the diffusion of density needs.
+struct Diffusing<'a, R> {
+    /// Density and pressures before the step. Empty if the model does not need them.
+    previous: &'a [f32x4],
+    deviation: R,
+    sound: R,
+    fluid: R,
 }
 
 impl<R: Lanes> Receivers<'_, R> {
@@ -82,7 +93,18 @@ impl<R: Lanes> Receivers<'_, R> {
         // `x_ab` in the middle of the step
         let v_ab = self.velocity - vec3(vx, vy, vz);
         let x_ab = x_ab - v_ab * real(u.half_time_step);
-        beside(self.setup, continuity_neighbour(m, p, t, x_ab, v_ab, mass_b, scale), mass_b, q2, scale)
+        let mut rate = continuity_neighbour(m, p, t, x_ab, v_ab, mass_b, scale);
+        if m.density_diffusion != NO_DIFFUSION {
+            let Diffusing { previous, deviation, sound, fluid } = self.diffusing;
+            let [deviation_b, ..] = R::gather(previous, slots);
+            let mut difference = deviation_b - deviation;
+            if m.density_diffusion == HYDROSTATIC {
+                difference = difference - hydrostatic_difference(m, p, u, x_ab, sound, self.rest);
+            }
+            let part = diffusion_neighbour(m, p, t, x_ab, difference, sound, mass_b, scale);
+            rate = rate + if_diffusing(m, part, fluid, of_properties(3), of_properties(1));
+        }
+        beside(self.setup, rate, mass_b, q2, scale)
     }
 }
 
@@ -97,13 +119,23 @@ impl PairPass for Density<'_> {
 
     #[inline(always)]
     fn group<R: Lanes>(&self, group: &Group<'_>, own: &mut [f32x4]) -> u32 {
-        let (setup, particles) = (group.setup, group.particles);
+        let (setup, particles, m) = (group.setup, group.particles, group.setup.model);
         let [x, y, z, _] = group.spread::<R>(particles.position);
         let [vx, vy, vz, material] = group.spread::<R>(particles.velocity);
         let rest = of_material(setup, &setup.materials.properties, &setup.columns.properties, material, 2);
         let (position, velocity) = (vec3(x, y, z), vec3(vx, vy, vz));
         let support = particles.supports(setup, group.first, group.last);
-        let receivers = Receivers { setup, particles, position, velocity, support, rest };
+        let (materials, columns) = (setup.materials, setup.columns);
+        let diffusing = if m.density_diffusion == NO_DIFFUSION {
+            let none = real(0.0);
+            Diffusing { previous: &[], deviation: none, sound: none, fluid: none }
+        } else {
+            let [deviation, ..] = group.spread(self.previous);
+            let sound = of_material(setup, &materials.states, &columns.states, material, 2);
+            let fluid = of_material(setup, &materials.properties, &columns.properties, material, 3);
+            Diffusing { previous: self.previous, deviation, sound, fluid }
+        };
+        let receivers = Receivers { setup, particles, position, velocity, support, rest, diffusing };
         let sums = fold!(group: R, |slots| receivers.add(slots));
         self.close(group, sums, own);
         0
@@ -165,7 +197,7 @@ impl Density<'_> {
         let Setup { model: m, parameters: p, materials, columns, uniform: u, .. } = *setup;
         let (first, last) = (group.first, group.last);
         let none = real::<R>(0.0);
-        let [sum, near_sum, number_sum, _] = sums;
+        let [sum, near_sum, number_sum, wall_sum] = sums;
         let [.., mass] = group.spread::<R>(particles.position);
         let [.., material] = group.spread::<R>(particles.velocity);
         let of_properties =
@@ -178,6 +210,10 @@ impl Density<'_> {
         } else {
             deviation_of_sum(m, p, sum, mass, rest)
         };
+        if sums_walls(m) {
+            let of_wall = deviation_of_sum(m, p, wall_sum, mass, rest);
+            deviation = select(deviation, of_wall, less(none, of_properties(1)));
+        }
         let mut pressure = if m.corrects_pressure() {
             pressure_carried(m, previous[1])
         } else {
@@ -186,7 +222,7 @@ impl Density<'_> {
         };
         pressure = pressure_close(m, pressure);
         let mut near_pressure = near_pressure_close(m, deviation, near_sum, stiffness.near);
-        if m.wall_particles == MIRRORED {
+        if follows_fluid(m) {
             let wall = less(none, of_properties(1));
             deviation = select(deviation, none, wall);
             pressure = select(pressure, none, wall);

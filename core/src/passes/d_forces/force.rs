@@ -14,11 +14,14 @@ use crate::terms::exchange::{exchange_close, exchange_neighbour, exchange_share}
 use crate::terms::external::external_close;
 use crate::terms::neighbour::{acceleration_close, force_neighbour};
 use crate::terms::pair::{Local, density_ratio};
-use crate::terms::wall::if_free;
+use crate::terms::wall::{EXTRAPOLATED, if_free};
 
 /// Fills the accelerations, or those without pressure where pressure is iterated.
 pub(crate) fn run(step: &mut Step<'_, '_>) {
-    let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
+    let (mut particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
+    if step.setup.model.wall_particles == EXTRAPOLATED {
+        particles.velocity = step.scratch.seen_velocity;
+    }
     let corrects = step.setup.model.corrects_pressure();
     let out = if corrects { &mut *step.scratch.non_pressure_acceleration } else { &mut *step.new.acceleration };
     if step.setup.model.is_half_stencil == 1 {

@@ -13,7 +13,7 @@ use crate::terms::correction::{
 };
 use crate::terms::density::{continuity_neighbour, deviation_rate};
 use crate::terms::pair::{pair_scale, separation};
-use crate::terms::wall::{MIRRORED, mass_seen};
+use crate::terms::wall::{follows_fluid, mass_seen};
 
 /// Corrects the pressures, and records the largest density error.
 pub(crate) fn run(step: &mut Step<'_, '_>) {
@@ -40,7 +40,7 @@ impl PairPass for PressureCorrect<'_> {
     fn group<R: Lanes>(&self, group: &Group<'_>, own: &mut [f32x4]) -> u32 {
         let (setup, particles) = (group.setup, group.particles);
         let (m, p, u, t) = (setup.model, setup.parameters, setup.uniform, setup.tables);
-        if m.wall_particles == MIRRORED && group.are_walls() {
+        if follows_fluid(m) && group.are_walls() {
             return 0;
         }
         let a = group.receivers::<R>();
@@ -60,7 +60,7 @@ impl PairPass for PressureCorrect<'_> {
         let miss = predicted_density_error(m, p, u, before, deviation, rate, k.compressibility);
         let inverse = inverse_correction(u, k.pressure_response, k.response_offset);
         let mut after = pressure_corrected(m, before, miss, inverse);
-        if m.wall_particles == MIRRORED {
+        if follows_fluid(m) {
             after = select(after, none, less(none, a.wall));
         }
         let left = residual(before, after, inverse);

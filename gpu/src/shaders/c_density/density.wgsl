@@ -12,8 +12,8 @@ fn pass_body(a: u32) {
     new_density_pressure[a] = vec4(0.0f, 0.0f, 0.0f, p.rest_volume);
     return;
   }
-  // mirroring wall particles have no density and no acceleration
-  if m.wall_particles == MIRRORED && properties_of(v_a.w).y > 0.0f {
+  // wall particles that follow the fluid have no density and no acceleration
+  if follows_fluid() && properties_of(v_a.w).y > 0.0f {
     new_density_pressure[a] = vec4(0.0f, 0.0f, 0.0f, volume_close(x_a.w, 0.0f));
     return;
   }
@@ -21,6 +21,7 @@ fn pass_body(a: u32) {
   var sum = 0.0f;
   var near_sum = 0.0f;
   var number_sum = 0.0f;
+  var wall_sum = 0.0f;
   let own_properties = properties_of(v_a.w);
   for (var i = 0u; i < stencil_cells(); i += 1u) {
     let c = stencil_cell(own, i);
@@ -39,11 +40,24 @@ fn pass_body(a: u32) {
         if is_stepped() {
           // separation in the middle of the step
           let v_ab = v_a.xyz - new_velocity[b].xyz;
-          sum = sum + continuity_neighbour(x_ab - v_ab * u.half_time_step, v_ab, mass_b, scale);
+          let x_mid = x_ab - v_ab * u.half_time_step;
+          var rate = continuity_neighbour(x_mid, v_ab, mass_b, scale);
+          if m.density_diffusion != NO_DIFFUSION {
+            let sound = materials.states[material_index(v_a.w)].z;
+            var difference = previous_density_pressure[b].x - previous_density_pressure[a].x;
+            if m.density_diffusion == HYDROSTATIC {
+              difference = difference - hydrostatic_difference(x_mid, sound, own_properties.z);
+            }
+            let properties_b = properties_of(new_velocity[b].w);
+            let part = diffusion_neighbour(x_mid, difference, sound, mass_b, scale);
+            rate = rate + if_diffusing(part, own_properties.w, properties_b.w, properties_b.y);
+          }
+          sum = sum + rate;
         } else {
           sum = sum + summed_neighbour(mass_b, q2, scale);
         }
         if m.near_pressure == DOUBLE_DENSITY { near_sum = near_sum + near_density_neighbour(mass_b, q2, scale); }
+        if sums_walls() { wall_sum = wall_sum + wall_density_neighbour(mass_b, q2, scale); }
         if m.has_number_density_volume == 1u { number_sum = number_sum + number_density_neighbour(q2, scale); }
       }
     }
@@ -54,6 +68,9 @@ fn pass_body(a: u32) {
     deviation = deviation_stepped(previous_density_pressure[a].x, deviation_rate(sum, x_a.w, own_properties.z));
   } else {
     deviation = deviation_of_sum(sum, x_a.w, own_properties.z);
+  }
+  if sums_walls() && own_properties.y > 0.0f {
+    deviation = deviation_of_sum(wall_sum, x_a.w, own_properties.z);
   }
   var pressure = 0.0f;
   if m.pressure_solver == PRESSURE_CORRECTION {

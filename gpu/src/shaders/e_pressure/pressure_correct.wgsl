@@ -5,7 +5,7 @@ fn pass_body(a: u32) {
   if a >= p.particle_count || atomicLoad(&head.status.failed) != 0u { return; }
   if atomicLoad(&head.status.pressure_converged) != 0u { return; }
   if is_inactive(new_velocity[a].w) { return; }
-  if m.wall_particles == MIRRORED && properties_of(new_velocity[a].w).y > 0.0f { return; }
+  if follows_fluid() && properties_of(new_velocity[a].w).y > 0.0f { return; }
   let x_a = new_position[a].xyz;
   let v_a = predicted(a);
   let own_properties = properties_of(new_velocity[a].w);

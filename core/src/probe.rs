@@ -1,0 +1,85 @@
+//! Probes: pressure, velocity and density of the fluid at a point, for the caller. Nothing here is part of a step.
+use crate::arithmetic::real::vec3;
+use crate::live::Constants;
+use crate::memory::Given;
+use crate::neighbours::Neighbours;
+use crate::passes::columns::Columns;
+use crate::passes::context::Setup;
+use crate::passes::field;
+use crate::passes::local::Particles;
+use crate::terms::extrapolation::{wall_pressure_neighbour, wall_weight};
+use crate::terms::pair::{Local, local_density};
+use glam::Vec3;
+
+/// The fluid at a point, as [`Neighbours::sample`] finds it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Pressure, Pa.
+    pub pressure: f32,
+    /// Velocity, m/s.
+    pub velocity: Vec3,
+    /// Density, kg/m3.
+    pub density: f32,
+}
+
+impl Neighbours<'_, '_> {
+    /// Pressure, velocity and density of the fluid at a point; `None` where no fluid is within the support radius.
+    ///
+    /// They are means over the fluid particles around the point, weighted by the density kernel (Shepard 1968). Each
+    /// pressure is first continued to the point with the weight of the fluid, as walls that are extrapolated do (Adami,
+    /// Hu and Adams 2012), so that the pressure is also right at a wall, where all fluid is on one side. This is one
+    /// definition for every kind of wall.
+    #[must_use]
+    pub fn sample(&self, point: Vec3) -> Option<Sample> {
+        let (solver, state) = (self.solver, self.solver.state());
+        let Constants { parameters, materials, step: uniform, .. } = &solver.constants;
+        let columns = &Columns::of(materials, solver.live().materials());
+        let Given { kernel_tables: tables, acceleration_field, .. } = &solver.memory.given;
+        let (model, simd, field) = (&solver.plan().model, solver.simd(), &**acceleration_field);
+        let setup = Setup { model, parameters, materials, columns, uniform, tables, field, simd };
+        let particles = Particles {
+            position: state.position,
+            velocity: state.velocity,
+            density_pressure: state.density_pressure,
+            support: solver.memory.scratch.support_ratio,
+        };
+        let at = at(point);
+        let zero = vec3(0.0, 0.0, 0.0);
+        let there = if model.has_acceleration_field == 1 { field::at(&setup, at.position) } else { zero };
+        let (mut weights, mut pressure, mut density, mut velocity) = (0.0, 0.0, 0.0, Vec3::ZERO);
+        for slot in self.near(point.extend(0.0).to_array(), 1.0) {
+            let b: Local<f32> = particles.receivers(&setup, slot, slot);
+            let w = wall_weight(model, parameters, tables, at, b);
+            weights += w;
+            pressure += wall_pressure_neighbour(model, parameters, uniform, at, b, there, w);
+            density += local_density(model, parameters, b) * w;
+            velocity += Vec3::new(b.velocity.x, b.velocity.y, b.velocity.z) * w;
+        }
+        (weights > 0.0).then(|| Sample {
+            pressure: pressure / weights,
+            velocity: velocity / weights,
+            density: density / weights,
+        })
+    }
+}
+
+/// Returns a point in the form of a wall particle, for the terms of extrapolated walls.
+fn at(point: Vec3) -> Local<f32> {
+    Local {
+        position: vec3(point.x, point.y, point.z),
+        velocity: vec3(0.0, 0.0, 0.0),
+        support: 1.0,
+        mass: 1.0,
+        deviation: 0.0,
+        pressure: 0.0,
+        near_pressure: 0.0,
+        volume: 0.0,
+        viscosity: 0.0,
+        wall: 1.0,
+        rest_ratio: 1.0,
+        fluid: 0.0,
+        speed_of_sound: 0.0,
+        state_equation: 0.0,
+        tension: 0.0,
+    }
+}
