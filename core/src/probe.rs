@@ -11,6 +11,9 @@ use crate::terms::extrapolation::{wall_pressure_neighbour, wall_weight};
 use crate::terms::pair::{Local, local_density};
 use glam::Vec3;
 
+/// Smallest sum of weights from which a mean is taken. Below, the fluid only touches the edge of the support.
+const LEAST_WEIGHT: f32 = 1e-12;
+
 /// The fluid at a point, as [`Neighbours::sample`] finds it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
@@ -55,7 +58,7 @@ impl Neighbours<'_, '_> {
             density += local_density(model, parameters, b) * w;
             velocity += Vec3::new(b.velocity.x, b.velocity.y, b.velocity.z) * w;
         }
-        (weights > 0.0).then(|| Sample {
+        (weights > LEAST_WEIGHT).then(|| Sample {
             pressure: pressure / weights,
             velocity: velocity / weights,
             density: density / weights,

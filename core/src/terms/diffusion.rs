@@ -29,9 +29,9 @@ pub fn hydrostatic_difference<R: Real>(
     return -div(dot3(weight(m, p, u, rest), x_ab), sound * sound);
 }
 
-/// Returns the contribution of a neighbour to the diffusion of density, `2 delta h c sum m_b / rho0 (e_b - e_a) |grad W|
-/// / r`, as a sum of the same unit as [`continuity_neighbour`]. `difference` is `e_b - e_a`, without the part that the
-/// weight causes if that is not to diffuse.
+/// Returns the contribution of a neighbour to the diffusion of density, `2 delta h c sum m_b / rho0 (e_b - e_a) |grad
+/// W| / r`, as a sum of the same unit as [`continuity_neighbour`]. `difference` is `e_b - e_a`, without the part that
+/// the weight causes if that is not to diffuse.
 #[inline(always)]
 pub fn diffusion_neighbour<R: Real>(
     m: &Model,

@@ -48,10 +48,12 @@ pub fn wall_pressure_neighbour<R: Real>(
     return (b.pressure + local_density(m, p, b) * dot3(g, x_ab)) * w;
 }
 
-/// Returns a mean from the sum of weighted values and the sum of the weights. It is 0 where there is no fluid.
+/// Returns a mean from the sum of weighted values and the sum of the weights. It is 0 where there is no fluid, or where
+/// it only touches the edge of the support.
 #[inline(always)]
 pub fn wall_mean<R: Real>(sum: R, weights: R) -> R {
-    return div(sum, larger(weights, real(0.000001)));
+    let least: R = real(0.000000000001);
+    return select(real(0.0), div(sum, larger(weights, least)), less(least, weights));
 }
 
 /// Returns the pressure of a wall particle, Pa: the mean over the fluid, not negative where the scene does not allow

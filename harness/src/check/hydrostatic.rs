@@ -60,9 +60,9 @@ const WHOLE: Form = FORMS[1];
 /// Kernel and number of neighbours of the whole form, with which a lattice under pressure keeps its rows.
 const REGULAR: (Kernel, f32) = (Kernel::WendlandC2, 32.0);
 
-/// Required limits of the whole form: every layer, those at the floor and at the surface too, within 2 % of the pressure
-/// at the floor; the first layer within 0.05 spacings of half a spacing; the force on the walls within 0.2 % of the
-/// weight of the water.
+/// Required limits of the whole form: every layer, those at the floor and at the surface too, within 2 % of the
+/// pressure at the floor; the first layer within 0.05 spacings of half a spacing; the force on the walls within 0.2 %
+/// of the weight of the water.
 const FIRST_LAYER: f64 = 0.05;
 const FORCE: f64 = 0.002;
 

@@ -1,5 +1,5 @@
-//! `impact`: a column of water collapses and hits the far wall (Lobovsky et al. 2014, case D2). Arrival, peak and impulse
-//! of the pressure at four sensors are compared with the experiment.
+//! `impact`: a column of water collapses and hits the far wall (Lobovsky et al. 2014, case D2). Arrival, peak and
+//! impulse of the pressure at four sensors are compared with the experiment.
 use super::flow::{checked, fluid, grid, larger, start_with, step, steps_to};
 use super::recipes::WENDLAND;
 use super::reference::numbers;
@@ -50,14 +50,14 @@ const COURANT: f64 = 0.1;
 
 const AVERAGE_NEIGHBOURS: f32 = 32.0;
 
-/// Coefficient of artificial viscosity. It is used with the support radius, so it is 0.1 in Monaghan's form. It damps the
-/// sound that the impact excites; the walls are without friction.
+/// Coefficient of artificial viscosity. It is used with the support radius, so it is 0.1 in Monaghan's form. It damps
+/// the sound that the impact excites; the walls are without friction.
 const ALPHA: f32 = 0.05;
 
 const STEPS_PER_SAMPLE: u64 = 5;
 
-/// Required limits with 76 particles over the depth: arrival at all sensors; peak, as a factor, and impulse at the first
-/// three. With 38 particles: arrival at the first three.
+/// Required limits with 76 particles over the depth: arrival at all sensors; peak, as a factor, and impulse at the
+/// first three. With 38 particles: arrival at the first three.
 const ARRIVAL: f64 = 0.03;
 const PEAK: f64 = 1.5;
 const IMPULSE_ERROR: f64 = 0.3;

@@ -1,5 +1,5 @@
-//! `standing-wave`: case W1. A standing wave in a closed tank, against the period of linear theory. How fast it decays is
-//! the numerical viscosity of the fluid, and it must not grow.
+//! `standing-wave`: case W1. A standing wave in a closed tank, against the period of linear theory. How fast it decays
+//! is the numerical viscosity of the fluid, and it must not grow.
 use super::flow::{checked, fluid, grid, larger, start_with, step, steps_to};
 use super::recipes::WENDLAND;
 use super::{Context, Metric, Outcome};
@@ -38,8 +38,8 @@ const COURANT: f64 = 0.1;
 /// With this number a lattice under pressure keeps its rows.
 const AVERAGE_NEIGHBOURS: f32 = 32.0;
 
-/// Coefficient of artificial viscosity, which with the support radius H implies a viscosity of `alpha H c / 8`, 6e-4 m2/s
-/// in a full study.
+/// Coefficient of artificial viscosity, which with the support radius H implies a viscosity of `alpha H c / 8`, 6e-4
+/// m2/s in a full study.
 const ALPHA: f32 = 0.0025;
 
 /// Required limits: error of the period, numerical viscosity in m2/s, and the amplitude of a later period over that of

@@ -1,5 +1,5 @@
-//! Sets pressure, density and volume of the wall particles, and fills the velocities that viscosity sees. Runs only with
-//! walls that are extrapolated.
+//! Sets pressure, density and volume of the wall particles, and fills the velocities that viscosity sees. Runs only
+//! with walls that are extrapolated.
 use crate::executor::{Jobs, parts, shares, take};
 use crate::layout::f32x4;
 use crate::passes::context::{Setup, Step};
