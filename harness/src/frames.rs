@@ -2,7 +2,8 @@
 use crate::failure::Failure;
 use crate::paint::{Colouring, Frame, Swatch, View, paint};
 use crate::run_length::RunLength;
-use crate::scenes::{Camera, LoadedScene, SceneFile, Shade};
+use crate::scene_file::{Camera, SceneFile, Shade};
+use crate::scenes::LoadedScene;
 use crate::snapshot::Snapshot;
 use glam::Vec3;
 use millpond_core::backend::derive::{Material, material_of};

@@ -27,6 +27,7 @@ pub mod pool;
 pub mod run;
 pub mod run_length;
 mod scene_errors;
+pub mod scene_file;
 pub mod scene_text;
 pub mod scenes;
 pub mod showcase;

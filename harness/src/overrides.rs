@@ -1,7 +1,7 @@
 //! `--set`: changes of single fields of a scene, named by the end of their paths.
 use crate::failure::Failure;
 use crate::scene_errors::closest;
-use crate::scenes::SceneFile;
+use crate::scene_file::SceneFile;
 use serde_json::{Map, Value};
 
 /// Returns a path as errors write it: items of lists in brackets, and the first fluid by its number.

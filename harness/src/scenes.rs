@@ -2,55 +2,12 @@
 use crate::failure::Failure;
 use crate::overrides::{indexed, set};
 use crate::scene_errors::explained;
+use crate::scene_file::SceneFile;
 use crate::scene_text::{current, line_of};
 use glam::Vec3;
 use millpond_core::scene::{Container, Periodic, Scene, WallShape};
 use millpond_core::{Checked, Requirements, SceneError};
-use serde::{Deserialize, Serialize};
 use std::path::Path;
-
-/// A scene, how long it runs, and how it is drawn.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct SceneFile {
-    /// A one-line description.
-    pub about: String,
-    /// Default simulated time of a run, s.
-    pub duration: f64,
-    /// View of the pictures.
-    pub camera: Camera,
-    /// Quantity that gives the particles their colours.
-    pub shade: Shade,
-    /// The scene itself.
-    pub scene: Scene,
-}
-
-/// View of the pictures of a scene.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub enum Camera {
-    /// Along the z axis onto the xy plane, without perspective.
-    Flat,
-    /// In perspective, from a circle around the middle of the scene.
-    Orbit {
-        /// Rotation about the y axis, degrees.
-        yaw_degrees: f32,
-        /// Height above the horizon, degrees.
-        pitch_degrees: f32,
-    },
-}
-
-/// Quantity that gives particles their colours. For a number, the values at the two ends of the colour map.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub enum Shade {
-    /// Speed, m/s.
-    Speed(f32, f32),
-    /// Density, kg/m3.
-    Density(f32, f32),
-    /// The fluid of the particle, in the colour of [`Fluid::colour`](millpond_core::scene::Fluid::colour).
-    Fluid,
-}
 
 /// A scene that was loaded by name or path.
 #[derive(Clone, Debug)]

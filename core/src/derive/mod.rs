@@ -17,9 +17,10 @@ pub(crate) mod lattice_sums;
 pub(crate) mod material;
 mod materials;
 mod parameters;
+pub(crate) mod recommended_step;
 pub(crate) mod sampling;
 pub(crate) mod scales;
-pub(crate) mod step_limits;
+mod step_limits;
 
 pub use derived::Derived;
 pub use fluid::FluidConstants;

@@ -1,7 +1,7 @@
 //! A scene that passed validation.
 use crate::derive::Derived;
 use crate::derive::initial_particles::initial_particles;
-use crate::derive::step_limits::recommended_step;
+use crate::derive::recommended_step::recommended_step;
 use crate::scene::{InitialParticle, Scene};
 use core::ops::Deref;
 

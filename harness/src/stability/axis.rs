@@ -1,7 +1,7 @@
 //! Axes of a map: what varies, the values that it takes, and how a value is set in a scene.
 use crate::failure::Failure;
 use crate::overrides::with;
-use crate::scenes::SceneFile;
+use crate::scene_file::SceneFile;
 use glam::Vec3;
 use millpond_core::scene::{EquationOfState, Fluid, Integrator, Scene, Viscosity};
 use serde::Serialize;
