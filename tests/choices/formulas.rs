@@ -68,6 +68,15 @@ pub fn kernels_and_pressure(add: Add<'_>) {
             });
         }
     }
+    for exponent in 1..7 {
+        add(format!("tait_exponent {exponent}"), &|s| {
+            (s.model.tait_exponent, s.model.viscosity) = (exponent, Viscosity::Artificial);
+        });
+        add(format!("tait_exponent {exponent}, walls"), &|s| {
+            (s.model.tait_exponent, s.model.wall_pressure) = (exponent, WallPressure::Extrapolated);
+            walls(s);
+        });
+    }
     add("stiffness".into(), &|s| s.fluids[0].stiffness = Some(2000.0));
     for force in [PressureForce::Monaghan, PressureForce::Difference] {
         for (iteration, tolerance) in

@@ -21,6 +21,8 @@ pub struct FluidConstants {
     pub bulk_modulus: f64,
     /// Constant of the equation of state, Pa.
     pub state_stiffness: f64,
+    /// Exponent of Tait's equation.
+    pub tait_exponent: f64,
     /// Near pressure over density, m2/s2; 0 if near pressure is off.
     pub near_stiffness: f64,
     /// Half of the spring stiffness over the mass of the fluid's particles at rest, `k / (2 m)`, 1/s2.
@@ -32,6 +34,7 @@ impl FluidConstants {
         let equation_of_state = scene.equation_of(fluid);
         let c0 = speed_of_sound(scene, fluid);
         let bulk_modulus = f64::from(fluid.rest_density) * c0 * c0;
+        let exponent = f64::from(scene.model.tait_exponent);
         let mass = particle_mass * f64::from(fluid.rest_density) / f64::from(scene.first_fluid().rest_density);
         FluidConstants {
             equation_of_state,
@@ -39,9 +42,10 @@ impl FluidConstants {
             speed_of_sound: c0,
             bulk_modulus,
             state_stiffness: match equation_of_state {
-                EquationOfState::Tait => fluid.stiffness.map_or(bulk_modulus / 7.0, f64::from),
+                EquationOfState::Tait => fluid.stiffness.map_or(bulk_modulus / exponent, f64::from),
                 _ => bulk_modulus,
             },
+            tait_exponent: exponent,
             near_stiffness: if scene.model.near_pressure == NearPressure::Off {
                 0.0
             } else {
@@ -60,7 +64,7 @@ impl FluidConstants {
     /// Returns the relative deviation of density from the rest density at a pressure in Pa.
     pub(super) fn deviation_at(&self, pressure: f64) -> f64 {
         match self.equation_of_state {
-            EquationOfState::Tait => libm::pow(1.0 + pressure / self.state_stiffness, 1.0 / 7.0) - 1.0,
+            EquationOfState::Tait => libm::pow(1.0 + pressure / self.state_stiffness, 1.0 / self.tait_exponent) - 1.0,
             EquationOfState::Linear => pressure / self.state_stiffness,
             // P = c0^2 rho
             EquationOfState::IdealGas => pressure / self.state_stiffness - 1.0,

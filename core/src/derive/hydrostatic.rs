@@ -3,7 +3,7 @@ use super::fluid::FluidConstants;
 use crate::scene::{Block, PressureForce, Scene};
 
 /// Returns the relative deviation of density from the rest density, and the pressure in Pa, that support the weight of
-/// the fluid above (Roy, section 3.1, corrected): `rho = rho0 (1 + rho0 g depth / B)^(1/7)` with Tait's equation.
+/// the fluid above (Roy, section 3.1, corrected): `rho = rho0 (1 + rho0 g depth / B)^(1/gamma)` with Tait's equation.
 /// Fluids lie in layers, each from the highest to the lowest point of its blocks. `own` are the constants of the fluid
 /// with index `fluid`.
 pub(super) fn hydrostatic_deviation(scene: &Scene, fluid: u32, own: &FluidConstants, position: [f32; 3]) -> (f64, f32) {

@@ -91,6 +91,8 @@ pub(super) fn parameters(
         breaking_stretch: elasticity.break_at.map_or(f32::MAX, |stretch| 1.0 + stretch),
         correction_source: CORRECTION_SOURCE,
         tolerance: model.correction.tolerance,
+        tait_exponent: model.tait_exponent as f32,
+        least_tait_power: (libm::pow(0.5, f64::from(model.tait_exponent)) - 1.0) as f32,
         diffusion: (f64::from(model.diffusion) * support) as f32,
         alpha: model.alpha,
         beta: model.beta,

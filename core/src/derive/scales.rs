@@ -74,7 +74,7 @@ pub fn support_radius(scene: &Scene) -> f64 {
 #[must_use]
 pub fn speed_of_sound(scene: &Scene, fluid: &Fluid) -> f64 {
     if let Some(stiffness) = fluid.stiffness {
-        return libm::sqrt(7.0 * f64::from(stiffness) / f64::from(fluid.rest_density));
+        return libm::sqrt(f64::from(scene.model.tait_exponent) * f64::from(stiffness) / f64::from(fluid.rest_density));
     }
     let own = f64::from(fluid.speed_of_sound);
     let Some(courant) = scene.stiffness_for_time_step else { return own };

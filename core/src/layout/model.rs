@@ -20,6 +20,8 @@ shared! {
         pub pressure_solver: u32,
         /// [`terms::state`](crate::terms::state).
         pub equation_of_state: u32,
+        /// Exponent of Tait's equation, 1 to 7.
+        pub tait_exponent: u32,
         /// [`terms::correction`](crate::terms::correction): how pressure is iterated.
         pub iteration: u32,
         /// 1: pressure may be negative.

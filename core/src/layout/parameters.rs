@@ -84,6 +84,10 @@ shared! {
         pub correction_source: f32,
         /// Largest relative density error at which the pressure iteration has converged.
         pub tolerance: f32,
+        /// Exponent of Tait's equation.
+        pub tait_exponent: f32,
+        /// Smallest pressure over the stiffness of Tait's equation whose density is looked for.
+        pub least_tait_power: f32,
         /// `2 delta h` of the diffusion of density, m: its coefficient times the support radius.
         pub diffusion: f32,
         /// Linear coefficient of the artificial viscosity.

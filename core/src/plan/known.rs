@@ -37,7 +37,7 @@ impl Known {
     /// The model with the assumed values as constants. It equals `model` if the case applies.
     #[inline(always)]
     pub(crate) const fn in_model(self, model: &Model) -> Model {
-        let usual = Model { evaluation: DIRECT, has_variable_support: 0, has_air: 0, ..*model };
+        let usual = Model { evaluation: DIRECT, has_variable_support: 0, has_air: 0, tait_exponent: 7, ..*model };
         match self {
             Known::OneMaterial => Model {
                 is_periodic: 0,

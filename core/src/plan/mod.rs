@@ -111,6 +111,7 @@ impl Plan {
                 density_diffusion: choice.density_diffusion as u32,
                 pressure_solver: choice.pressure_solver as u32,
                 equation_of_state: own_equation(scene.first_fluid()) as u32,
+                tait_exponent: choice.tait_exponent,
                 iteration: choice.correction.iteration as u32,
                 allows_negative_pressure: u32::from(choice.negative_pressure),
                 pressure_force: choice.pressure_force as u32,

@@ -104,8 +104,9 @@ choice! {
 choice! {
     /// How pressure P follows from density rho. rho0 is the rest density and c0 the speed of sound of the fluid.
     pub enum EquationOfState {
-        /// Tait's equation with exponent 7 (Monaghan 1994; Pirovano, eq. 2.15; Hinsch 2024, section 4.4; Roy with the
-        /// corrected constant `B = rho0 c0^2 / 7`): `P = B ((rho / rho0)^7 - 1)`.
+        /// Tait's equation (Monaghan 1994; Pirovano, eq. 2.15; Hinsch 2024, section 4.4; Roy with the
+        /// corrected constant `B = rho0 c0^2 / gamma`): `P = B ((rho / rho0)^gamma - 1)`, with the exponent
+        /// [`Formulation::tait_exponent`](super::Formulation::tait_exponent).
         Tait = state::TAIT => &["pressure_tait"],
         /// `P = c0^2 (rho - rho0)` (Desbrun and Cani 1996; Pirovano, eq. 2.14; Gourlay's pseudo-pressure).
         #[cfg_attr(feature = "serde", serde(alias = "Desbrun"))]

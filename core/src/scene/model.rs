@@ -46,6 +46,9 @@ pub struct Formulation {
     /// How pressure follows from density (default Tait), with [`PressureSolver::EquationOfState`]. A fluid may have
     /// its own ([`Fluid::equation_of_state`](super::Fluid::equation_of_state)).
     pub equation_of_state: EquationOfState,
+    /// Exponent of Tait's equation, a whole number from 1 to 7 (Roy's gamma; default 7, that of water). The larger it is,
+    /// the less the density of a fluid that is compressed strongly differs from the rest density.
+    pub tait_exponent: u32,
     /// How pressure is iterated, with [`PressureSolver::PressureCorrection`].
     pub correction: Correction,
     /// Whether pressure may be negative (default true). Negative pressure holds a fluid with free surfaces together,
@@ -114,6 +117,7 @@ impl Default for Formulation {
             normalize_mass: false,
             pressure_solver: PressureSolver::EquationOfState,
             equation_of_state: EquationOfState::Tait,
+            tait_exponent: 7,
             correction: Correction::default(),
             negative_pressure: true,
             pressure_force: PressureForce::Mueller,

@@ -73,9 +73,9 @@ pub fn wall_velocity<R: Real>(velocity: vec3<R>, sum: vec3<R>, weights: R) -> ve
 
 /// Returns the density deviation of a wall particle at its pressure; 0 where pressure does not follow from density.
 #[inline(always)]
-pub fn wall_deviation<R: Real>(m: &Model, pressure: R, stiffness: R, equation: R) -> R {
+pub fn wall_deviation<R: Real>(m: &Model, p: &Parameters, pressure: R, stiffness: R, equation: R) -> R {
     if m.pressure_solver == PRESSURE_CORRECTION {
         return real(0.0);
     }
-    return deviation_of_state(m, pressure, stiffness, equation);
+    return deviation_of_state(m, p, pressure, stiffness, equation);
 }

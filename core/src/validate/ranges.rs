@@ -98,6 +98,7 @@ pub(super) fn elasticity(scene: &Scene) -> Result<(), SceneError> {
 
 /// Checks the coefficients of formulas, which are the same for all fluids.
 fn coefficients(model: &Formulation) -> Result<(), SceneError> {
+    bounded("model.tait_exponent", model.tait_exponent as f32, 1.0..=7.0)?;
     share("model.diffusion", model.diffusion)?;
     not_negative("model.alpha", model.alpha)?;
     not_negative("model.beta", model.beta)?;

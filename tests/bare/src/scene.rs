@@ -26,6 +26,7 @@ pub fn scene() -> Scene {
         normalize_mass: false,
         pressure_solver: PressureSolver::EquationOfState,
         equation_of_state: EquationOfState::Tait,
+        tait_exponent: 7,
         correction: Correction { iteration: Iteration::Relaxed, iterations: 20, tolerance: 0.001 },
         negative_pressure: true,
         pressure_force: PressureForce::Mueller,

@@ -45,7 +45,7 @@ fn work(job: &mut Job<'_>) {
         }
         let pressure = seen[3];
         let [stiffness, _, _, equation] = materials.states[material_of(velocity[3])];
-        let deviation = wall_deviation(m, pressure, stiffness, equation);
+        let deviation = wall_deviation(m, p, pressure, stiffness, equation);
         *state = [deviation, pressure, 0.0, volume_close(p, position[3], deviation)];
         seen[3] = velocity[3];
     }
