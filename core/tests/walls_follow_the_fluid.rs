@@ -2,7 +2,6 @@
 //! as hard as the fluid pushes them, and never change their density on their own. Diffusion of density conserves mass
 //! pair by pair.
 use approx::assert_relative_eq;
-use millpond_core::backend::arithmetic::real::vec3;
 use millpond_core::backend::layout::Model;
 use millpond_core::backend::terms::diffusion::diffusion_neighbour;
 use millpond_core::backend::terms::state::{deviation_of_state, pressure_of_state, sound_of_state};
@@ -172,13 +171,11 @@ fn what_one_particle_gains_by_diffusion_the_other_loses() {
     let scene = tank(WallPressure::Extrapolated);
     let checked = scene.check().expect("a scene");
     let (model, derived) = (Plan::of(&checked).model, checked.derived());
-    let tables = &[];
-    for (x, y, difference) in [(0.01, 0.02, 1e-3f32), (-0.05, 0.001, -2e-4), (0.0, -0.07, 0.03)] {
-        let gain = |x_ab, difference: f32, mass_b: f32| -> f32 {
-            diffusion_neighbour(&model, &derived.parameters, tables, x_ab, difference, 40.0, mass_b, 1.0)
+    for (q, slope, difference) in [(0.1, 0.3, 1e-3f32), (0.5, 0.02, -2e-4), (0.9, 1e-3, 0.03)] {
+        let gain = |difference: f32, mass_b: f32| -> f32 {
+            diffusion_neighbour(&model, &derived.parameters, difference, 40.0, mass_b, q, slope, 1.0)
         };
-        let of_a = gain(vec3(x, y, 0.0), difference, 1.25) * 0.8;
-        let of_b = gain(vec3(-x, -y, 0.0), -difference, 0.8) * 1.25;
+        let (of_a, of_b) = (gain(difference, 1.25) * 0.8, gain(-difference, 0.8) * 1.25);
         assert!(of_a.abs() > 0.0 && of_a.signum() == difference.signum(), "towards the denser particle");
         assert_relative_eq!(of_a, -of_b, max_relative = 3e-7);
     }

@@ -1,6 +1,5 @@
 //! Density, as the deviation `rho / rho0 - 1` from the rest density. In a stiff fluid the deviation is small, and
 //! stored by itself it keeps all digits.
-use super::geometry::*;
 use super::pair::*;
 use super::table::*;
 use super::wall::*;
@@ -30,67 +29,41 @@ pub fn counts_masses(m: &Model) -> bool {
     return weighs(m) && (m.density == SUMMATION || m.density == CONTINUITY);
 }
 
-/// Returns the contribution of a neighbour to `rho_a = sum m_b W_ab` (Pirovano, eq. 2.10).
-#[inline(always)]
-pub fn density_neighbour<R: Real>(m: &Model, t: &Tables, mass_b: R, q2: R, scale: R) -> R {
-    let w = value_scaled(m, density_kernel(m, t, q2), scale);
-    if weighs(m) {
-        return w * mass_b;
-    }
-    return w;
-}
-
 /// Returns the contribution of a neighbour to `n_a = sum W_ab` (Gourlay). A number density ignores particle masses.
 #[inline(always)]
 pub fn number_density_neighbour<R: Real>(m: &Model, t: &Tables, q2: R, scale: R) -> R {
     return value_scaled(m, density_kernel(m, t, q2), scale);
 }
 
-/// Returns the contribution of a neighbour to the chosen density sum.
+/// Returns the contribution of a neighbour to `rho_a = sum m_b W_ab` (Pirovano, eq. 2.10), or to the density sum that the
+/// scene chooses instead. `w` is W_ab.
 #[inline(always)]
-pub fn summed_neighbour<R: Real>(m: &Model, t: &Tables, mass_b: R, q2: R, scale: R) -> R {
-    if m.density == SUMMATION {
-        return density_neighbour(m, t, mass_b, q2, scale);
+pub fn density_neighbour<R: Real>(m: &Model, w: R, mass_b: R) -> R {
+    if counts_masses(m) {
+        return w * mass_b;
     }
-    return number_density_neighbour(m, t, q2, scale);
+    return w;
 }
 
-/// Returns the contribution of a neighbour to the density of a dynamic wall particle, which is a sum in every form: a
-/// wall does not move with the fluid, and the error of a rate would add up without end.
-#[inline(always)]
-pub fn wall_density_neighbour<R: Real>(m: &Model, t: &Tables, mass_b: R, q2: R, scale: R) -> R {
-    if m.density == CONTINUITY {
-        return density_neighbour(m, t, mass_b, q2, scale);
-    }
-    return number_density_neighbour(m, t, q2, scale);
-}
-
-/// Returns whether the density of wall particles is a sum although that of the fluid is integrated in time.
+/// Returns whether the density of wall particles is a sum although that of the fluid is integrated in time. A wall does
+/// not move with the fluid, and the error of a rate would add up without end.
 #[inline(always)]
 pub fn sums_walls(m: &Model) -> bool {
     return m.wall_particles == DYNAMIC && is_stepped(m);
 }
 
-/// Returns the contribution of a neighbour to `d (rho_a / rho0) / dt = sum m_b / rho0 (v_a - v_b) . grad W_ab`
-/// (Pirovano, eq. 2.12), 1/s. The kernel constant and the mass are applied to the whole sum.
+/// Returns the slope of the kernel in the continuity equation.
 #[inline(always)]
-pub fn continuity_neighbour<R: Real>(
-    m: &Model,
-    p: &Parameters,
-    t: &Tables,
-    x_ab: vec3<R>,
-    v_ab: vec3<R>,
-    mass_b: R,
-    scale: R,
-) -> R {
-    let q = root(squared_ratio(m, p, x_ab, scale));
-    let slope = slope_scaled(m, pressure_slope(m, t, q), scale);
+pub fn continuity_slope<R: Real>(m: &Model, t: &Tables, q: R, scale: R) -> R {
+    return slope_scaled(m, pressure_slope(m, t, q), scale);
+}
+
+/// Returns the contribution of a neighbour to `d (rho_a / rho0) / dt = sum m_b / rho0 (v_a - v_b) . grad W_ab`
+/// (Pirovano, eq. 2.12), 1/s. The kernel constant and the mass are applied to the whole sum. `approach` is `x_ab . v_ab`.
+#[inline(always)]
+pub fn continuity_neighbour<R: Real>(m: &Model, approach: R, mass_b: R, q: R, slope: R, scale: R) -> R {
     // x_ab / r = x_ab / (q H_ab)
-    let rate = over_distance(-(dot3(x_ab, v_ab) * slope * scale), q);
-    if counts_masses(m) {
-        return rate * mass_b;
-    }
-    return rate;
+    return density_neighbour(m, over_distance(-(approach * slope * scale), q), mass_b);
 }
 
 /// Converts a sum to a share of the particle's own rest density. A sum over neighbour masses is relative to the scene's

@@ -3,9 +3,8 @@ use super::density::*;
 use super::external::*;
 use super::geometry::*;
 use super::pair::*;
-use super::table::*;
 use crate::arithmetic::real::*;
-use crate::layout::{Model, Parameters, StepUniform, Tables};
+use crate::layout::{Model, Parameters, StepUniform};
 
 /// No diffusion.
 pub const NO_DIFFUSION: u32 = 0;
@@ -36,20 +35,14 @@ pub fn hydrostatic_difference<R: Real>(
 pub fn diffusion_neighbour<R: Real>(
     m: &Model,
     p: &Parameters,
-    t: &Tables,
-    x_ab: vec3<R>,
     difference: R,
     sound: R,
     mass_b: R,
+    q: R,
+    slope: R,
     scale: R,
 ) -> R {
-    let q = root(squared_ratio(m, p, x_ab, scale));
-    let slope = slope_scaled(m, pressure_slope(m, t, q), scale);
-    let rate = over_distance(difference * sound * p.diffusion * slope * scale, q);
-    if counts_masses(m) {
-        return rate * mass_b;
-    }
-    return rate;
+    return density_neighbour(m, over_distance(difference * sound * p.diffusion * slope * scale, q), mass_b);
 }
 
 /// Returns `x` for a neighbour of the same fluid, and 0 for one of another fluid or of a wall.

@@ -1,9 +1,10 @@
 //! Number of operations per pair, counted by running the scene's terms with a number type that counts operations.
-use millpond_core::backend::arithmetic::real::{Real, real, vec3};
+use millpond_core::backend::arithmetic::real::{Real, real, root, vec3};
 use millpond_core::backend::layout::{Model, Parameters, TABLE_WORDS};
 use millpond_core::backend::terms::density::{
-    continuity_neighbour, is_stepped, number_density_neighbour, summed_neighbour,
+    continuity_neighbour, continuity_slope, density_neighbour, is_stepped, number_density_neighbour,
 };
+use millpond_core::backend::terms::geometry::dot3;
 use millpond_core::backend::terms::near::{DOUBLE_DENSITY, near_density_neighbour};
 use millpond_core::backend::terms::neighbour::force_neighbour;
 use millpond_core::backend::terms::pair::{Local, pair_scale, separation, squared_ratio};
@@ -168,9 +169,11 @@ pub(super) fn of_density(m: &Model, p: &Parameters) -> u64 {
         let sum = if is_stepped(m) {
             let v_ab = a.velocity - b.velocity;
             let x_ab = separation(m, p, a.position, b.position) - v_ab * real(1.0);
-            continuity_neighbour(m, p, tables, x_ab, v_ab, mass_b, one)
+            let q = root(squared_ratio(m, p, x_ab, one));
+            let slope = continuity_slope(m, tables, q, one);
+            continuity_neighbour(m, dot3(x_ab, v_ab), mass_b, q, slope, one)
         } else {
-            summed_neighbour(m, tables, mass_b, q2, one)
+            density_neighbour(m, number_density_neighbour(m, tables, q2, one), mass_b)
         };
         let near = (m.near_pressure == DOUBLE_DENSITY).then(|| near_density_neighbour(m, mass_b, q2, one));
         let number = (m.has_number_density_volume == 1).then(|| number_density_neighbour(m, tables, q2, one));

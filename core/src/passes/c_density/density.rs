@@ -1,6 +1,6 @@
 //! Computes the density of each particle from its neighbours, and the pressures and volume that follow from it.
 use crate::arithmetic::lanes::{Lanes, Slots};
-use crate::arithmetic::real::{less, real, select, vec3};
+use crate::arithmetic::real::{less, real, root, select, vec3};
 use crate::layout::f32x4;
 use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
@@ -13,10 +13,11 @@ use crate::passes::local::{Particles, of_material, own_numbers, particles, sprea
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::correction::pressure_carried;
 use crate::terms::density::{
-    continuity_neighbour, deviation_of_sum, deviation_rate, deviation_stepped, is_stepped, sums_walls,
-    volume_by_number, volume_close,
+    continuity_neighbour, continuity_slope, deviation_of_sum, deviation_rate, deviation_stepped, is_stepped,
+    sums_walls, volume_by_number, volume_close,
 };
 use crate::terms::diffusion::{HYDROSTATIC, NO_DIFFUSION, diffusion_neighbour, hydrostatic_difference, if_diffusing};
+use crate::terms::geometry::dot3;
 use crate::terms::near::near_pressure_close;
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use crate::terms::state::{pressure_close, pressure_of_state};
@@ -93,7 +94,9 @@ impl<R: Lanes> Receivers<'_, R> {
         // `x_ab` in the middle of the step
         let v_ab = self.velocity - vec3(vx, vy, vz);
         let x_ab = x_ab - v_ab * real(u.half_time_step);
-        let mut rate = continuity_neighbour(m, p, t, x_ab, v_ab, mass_b, scale);
+        let q = root(squared_ratio(m, p, x_ab, scale));
+        let slope = continuity_slope(m, t, q, scale);
+        let mut rate = continuity_neighbour(m, dot3(x_ab, v_ab), mass_b, q, slope, scale);
         if m.density_diffusion != NO_DIFFUSION {
             let Diffusing { previous, deviation, sound, fluid } = self.diffusing;
             let [deviation_b, ..] = R::gather(previous, slots);
@@ -101,7 +104,7 @@ impl<R: Lanes> Receivers<'_, R> {
             if m.density_diffusion == HYDROSTATIC {
                 difference = difference - hydrostatic_difference(m, p, u, x_ab, sound, self.rest);
             }
-            let part = diffusion_neighbour(m, p, t, x_ab, difference, sound, mass_b, scale);
+            let part = diffusion_neighbour(m, p, difference, sound, mass_b, q, slope, scale);
             rate = rate + if_diffusing(m, part, fluid, of_properties(3), of_properties(1));
         }
         beside(self.setup, rate, mass_b, q2, scale)

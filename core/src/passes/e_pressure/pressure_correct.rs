@@ -1,7 +1,7 @@
 //! Computes one iteration of pressure: predicts the density error of the next step, and corrects the pressure for it.
 //! Runs only with pressure correction.
 use crate::arithmetic::lanes::{Lanes, xyz};
-use crate::arithmetic::real::{less, real, select};
+use crate::arithmetic::real::{less, real, root, select};
 use crate::layout::f32x4;
 use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
@@ -11,8 +11,9 @@ use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::correction::{
     inverse_correction, predicted_density_error, predicted_velocity, pressure_corrected, residual,
 };
-use crate::terms::density::{continuity_neighbour, deviation_rate};
-use crate::terms::pair::{pair_scale, separation};
+use crate::terms::density::{continuity_neighbour, continuity_slope, deviation_rate};
+use crate::terms::geometry::dot3;
+use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use crate::terms::wall::{follows_fluid, mass_seen};
 
 /// Corrects the pressures, and records the largest density error.
@@ -52,7 +53,9 @@ impl PairPass for PressureCorrect<'_> {
             let scale = pair_scale(m, a.support, b.support);
             let v_ab = v_a - predicted_velocity(u, b.velocity, xyz(R::gather(self.acceleration, slots)));
             let mass = mass_seen(m, a.rest_ratio, b.mass, b.rest_ratio, b.wall);
-            [continuity_neighbour(m, p, t, x_ab, v_ab, mass, scale), none, none, none]
+            let q = root(squared_ratio(m, p, x_ab, scale));
+            let slope = continuity_slope(m, t, q, scale);
+            [continuity_neighbour(m, dot3(x_ab, v_ab), mass, q, slope, scale), none, none, none]
         });
         let [deviation, before, near_pressure, volume] = own_numbers::<R>(own);
         let k = particles.stiffness::<R>(setup, group.first, group.last);

@@ -41,7 +41,9 @@ fn pass_body(a: u32) {
           // separation in the middle of the step
           let v_ab = v_a.xyz - new_velocity[b].xyz;
           let x_mid = x_ab - v_ab * u.half_time_step;
-          var rate = continuity_neighbour(x_mid, v_ab, mass_b, scale);
+          let q = root(squared_ratio(x_mid, scale));
+          let slope = continuity_slope(q, scale);
+          var rate = continuity_neighbour(dot3(x_mid, v_ab), mass_b, q, slope, scale);
           if m.density_diffusion != NO_DIFFUSION {
             let sound = materials.states[material_index(v_a.w)].z;
             var difference = previous_density_pressure[b].x - previous_density_pressure[a].x;
@@ -49,15 +51,17 @@ fn pass_body(a: u32) {
               difference = difference - hydrostatic_difference(x_mid, sound, own_properties.z);
             }
             let properties_b = properties_of(new_velocity[b].w);
-            let part = diffusion_neighbour(x_mid, difference, sound, mass_b, scale);
+            let part = diffusion_neighbour(difference, sound, mass_b, q, slope, scale);
             rate = rate + if_diffusing(part, own_properties.w, properties_b.w, properties_b.y);
           }
           sum = sum + rate;
         } else {
-          sum = sum + summed_neighbour(mass_b, q2, scale);
+          sum = sum + density_neighbour(number_density_neighbour(q2, scale), mass_b);
         }
         if m.near_pressure == DOUBLE_DENSITY { near_sum = near_sum + near_density_neighbour(mass_b, q2, scale); }
-        if sums_walls() { wall_sum = wall_sum + wall_density_neighbour(mass_b, q2, scale); }
+        if sums_walls() {
+          wall_sum = wall_sum + density_neighbour(number_density_neighbour(q2, scale), mass_b);
+        }
         if m.has_number_density_volume == 1u { number_sum = number_sum + number_density_neighbour(q2, scale); }
       }
     }

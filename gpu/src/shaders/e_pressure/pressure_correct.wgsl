@@ -22,7 +22,9 @@ fn pass_body(a: u32) {
       if less(squared_ratio(x_ab, scale), 1.0f) {
         let properties_b = properties_of(new_velocity[b].w);
         let mass_b = mass_seen(own_properties.z, x_b.w, properties_b.z, properties_b.y);
-        rate = rate + continuity_neighbour(x_ab, v_a - predicted(b), mass_b, scale);
+        let q = root(squared_ratio(x_ab, scale));
+        let approach = dot3(x_ab, v_a - predicted(b));
+        rate = rate + continuity_neighbour(approach, mass_b, q, continuity_slope(q, scale), scale);
       }
     }
   }
