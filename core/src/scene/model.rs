@@ -46,8 +46,8 @@ pub struct Formulation {
     /// How pressure follows from density (default Tait), with [`PressureSolver::EquationOfState`]. A fluid may have
     /// its own ([`Fluid::equation_of_state`](super::Fluid::equation_of_state)).
     pub equation_of_state: EquationOfState,
-    /// Exponent of Tait's equation, a whole number from 1 to 7 (Roy's gamma; default 7, that of water). The larger it is,
-    /// the less the density of a fluid that is compressed strongly differs from the rest density.
+    /// Exponent of Tait's equation, a whole number from 1 to 7 (Roy's gamma; default 7, that of water). The larger it
+    /// is, the less the density of a fluid that is compressed strongly differs from the rest density.
     pub tait_exponent: u32,
     /// How pressure is iterated, with [`PressureSolver::PressureCorrection`].
     pub correction: Correction,

@@ -35,8 +35,8 @@ pub fn number_density_neighbour<R: Real>(m: &Model, t: &Tables, q2: R, scale: R)
     return value_scaled(m, density_kernel(m, t, q2), scale);
 }
 
-/// Returns the contribution of a neighbour to `rho_a = sum m_b W_ab` (Pirovano, eq. 2.10), or to the density sum that the
-/// scene chooses instead. `w` is W_ab.
+/// Returns the contribution of a neighbour to `rho_a = sum m_b W_ab` (Pirovano, eq. 2.10), or to the density sum that
+/// the scene chooses instead. `w` is W_ab.
 #[inline(always)]
 pub fn density_neighbour<R: Real>(m: &Model, w: R, mass_b: R) -> R {
     if counts_masses(m) {
@@ -59,7 +59,8 @@ pub fn continuity_slope<R: Real>(m: &Model, t: &Tables, q: R, scale: R) -> R {
 }
 
 /// Returns the contribution of a neighbour to `d (rho_a / rho0) / dt = sum m_b / rho0 (v_a - v_b) . grad W_ab`
-/// (Pirovano, eq. 2.12), 1/s. The kernel constant and the mass are applied to the whole sum. `approach` is `x_ab . v_ab`.
+/// (Pirovano, eq. 2.12), 1/s. The kernel constant and the mass are applied to the whole sum. `approach` is `x_ab .
+/// v_ab`.
 #[inline(always)]
 pub fn continuity_neighbour<R: Real>(m: &Model, approach: R, mass_b: R, q: R, slope: R, scale: R) -> R {
     // x_ab / r = x_ab / (q H_ab)
