@@ -59,8 +59,8 @@ pub fn continuity_slope<R: Real>(m: &Model, t: &Tables, q: R, scale: R) -> R {
 }
 
 /// Returns the contribution of a neighbour to `d (rho_a / rho0) / dt = sum m_b / rho0 (v_a - v_b) . grad W_ab`
-/// (Pirovano, eq. 2.12), 1/s. The kernel constant and the mass are applied to the whole sum. `approach` is `x_ab .
-/// v_ab`.
+/// (Pirovano, eq. 2.12), 1/s, where `approach` is `x_ab . v_ab`. The kernel constant and the mass are applied to the
+/// whole sum.
 #[inline(always)]
 pub fn continuity_neighbour<R: Real>(m: &Model, approach: R, mass_b: R, q: R, slope: R, scale: R) -> R {
     // x_ab / r = x_ab / (q H_ab)
