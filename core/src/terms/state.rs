@@ -108,7 +108,7 @@ pub fn deviation_tait<R: Real>(m: &Model, p: &Parameters, pressure: R, stiffness
     let fourth = root(second);
     let e = tait_start(m, second, fourth, root(fourth)) - 1.0;
     let better = tait_refined(m, p, tait_refined(m, p, tait_refined(m, p, e, x), x), x);
-    return tait_refined(m, p, tait_refined(m, p, better, x), x);
+    return tait_refined(m, p, tait_refined(m, p, tait_refined(m, p, better, x), x), x);
 }
 
 /// Returns the density deviation at a pressure by the equation of state, the inverse of [`pressure_of_state`]; at least
