@@ -119,6 +119,7 @@ pub(super) fn parameters(
         largest_time_step: adaptive.largest,
         max_time_step_growth: adaptive.max_growth,
         reject_ratio: adaptive.reject_ratio.unwrap_or(0.0),
+        unused: 0.0,
     }
 }
 

@@ -140,6 +140,8 @@ shared! {
         /// A step is rejected and repeated if it was longer than this many times the step that the state at its end
         /// asks for; 0: never.
         pub reject_ratio: f32,
+        /// Unused: in WGSL the size of the struct is a multiple of 16 bytes.
+        pub unused: f32,
     }
 }
 
