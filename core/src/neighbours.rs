@@ -2,11 +2,15 @@
 use crate::arithmetic::real::vec3;
 use crate::grid::{Cells, Stencil, cell_of, is_inactive_cell};
 use crate::layout::f32x4;
-use crate::memory::Sorting;
+use crate::live::Constants;
+use crate::memory::{Given, Sorting};
 use crate::passes::b_sort::count::count;
 use crate::passes::b_sort::scan::scan;
 use crate::passes::b_sort::scatter::scatter;
+use crate::passes::columns::Columns;
+use crate::passes::context::Setup;
 use crate::passes::lanes::is_inactive;
+use crate::passes::local::Particles;
 use crate::solver::Solver;
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use crate::terms::support::support_close;
@@ -150,6 +154,22 @@ impl Neighbours<'_, '_> {
             let scale = pair_scale(m, own, support_close(m, p, state.density_pressure[b][0]));
             squared_ratio(m, p, separation(m, p, x_a, x_b), scale) < 1.0
         })
+    }
+
+    /// Calls `f` with what the terms of pairs read, for the present state.
+    pub(crate) fn with_terms<T>(&self, f: impl FnOnce(&Setup<'_>, Particles<'_>) -> T) -> T {
+        let (solver, state) = (self.solver, self.solver.state());
+        let Constants { parameters, materials, step: uniform, .. } = &solver.constants;
+        let columns = &Columns::of(materials, solver.live.materials());
+        let Given { kernel_tables: tables, acceleration_field: field, .. } = &solver.memory.given;
+        let (model, simd) = (&solver.plan().model, solver.simd());
+        let particles = Particles {
+            position: state.position,
+            velocity: state.velocity,
+            density_pressure: state.density_pressure,
+            support: solver.memory.scratch.support_ratio,
+        };
+        f(&Setup { model, parameters, materials, columns, uniform, tables, field, simd }, particles)
     }
 
     fn cells(&self) -> Cells<'_> {

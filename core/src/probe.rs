@@ -1,12 +1,7 @@
 //! Probes: pressure, velocity and density of the fluid at a point, for the caller. Nothing here is part of a step.
 use crate::arithmetic::real::vec3;
-use crate::live::Constants;
-use crate::memory::Given;
 use crate::neighbours::Neighbours;
-use crate::passes::columns::Columns;
-use crate::passes::context::Setup;
 use crate::passes::field;
-use crate::passes::local::Particles;
 use crate::terms::extrapolation::{wall_pressure_neighbour, wall_weight};
 use crate::terms::pair::{Local, local_density};
 use glam::Vec3;
@@ -34,34 +29,25 @@ impl Neighbours<'_, '_> {
     /// definition for every kind of wall.
     #[must_use]
     pub fn sample(&self, point: Vec3) -> Option<Sample> {
-        let (solver, state) = (self.solver, self.solver.state());
-        let Constants { parameters, materials, step: uniform, .. } = &solver.constants;
-        let columns = &Columns::of(materials, solver.live().materials());
-        let Given { kernel_tables: tables, acceleration_field, .. } = &solver.memory.given;
-        let (model, simd, field) = (&solver.plan().model, solver.simd(), &**acceleration_field);
-        let setup = Setup { model, parameters, materials, columns, uniform, tables, field, simd };
-        let particles = Particles {
-            position: state.position,
-            velocity: state.velocity,
-            density_pressure: state.density_pressure,
-            support: solver.memory.scratch.support_ratio,
-        };
-        let at = at(point);
-        let zero = vec3(0.0, 0.0, 0.0);
-        let there = if model.has_acceleration_field == 1 { field::at(&setup, at.position) } else { zero };
-        let (mut weights, mut pressure, mut density, mut velocity) = (0.0, 0.0, 0.0, Vec3::ZERO);
-        for slot in self.near(point.extend(0.0).to_array(), 1.0) {
-            let b: Local<f32> = particles.receivers(&setup, slot, slot);
-            let w = wall_weight(model, parameters, tables, at, b);
-            weights += w;
-            pressure += wall_pressure_neighbour(model, parameters, uniform, at, b, there, w);
-            density += local_density(model, parameters, b) * w;
-            velocity += Vec3::new(b.velocity.x, b.velocity.y, b.velocity.z) * w;
-        }
-        (weights > LEAST_WEIGHT).then(|| Sample {
-            pressure: pressure / weights,
-            velocity: velocity / weights,
-            density: density / weights,
+        self.with_terms(|setup, particles| {
+            let (m, p, u, t) = (setup.model, setup.parameters, setup.uniform, setup.tables);
+            let at = at(point);
+            let zero = vec3(0.0, 0.0, 0.0);
+            let there = if m.has_acceleration_field == 1 { field::at(setup, at.position) } else { zero };
+            let (mut weights, mut pressure, mut density, mut velocity) = (0.0, 0.0, 0.0, Vec3::ZERO);
+            for slot in self.near(point.extend(0.0).to_array(), 1.0) {
+                let b: Local<f32> = particles.receivers(setup, slot, slot);
+                let w = wall_weight(m, p, t, at, b);
+                weights += w;
+                pressure += wall_pressure_neighbour(m, p, u, at, b, there, w);
+                density += local_density(m, p, b) * w;
+                velocity += Vec3::new(b.velocity.x, b.velocity.y, b.velocity.z) * w;
+            }
+            (weights > LEAST_WEIGHT).then(|| Sample {
+                pressure: pressure / weights,
+                velocity: velocity / weights,
+                density: density / weights,
+            })
         })
     }
 }

@@ -145,6 +145,8 @@ shared! {
     }
 }
 
+const _: () = assert!(size_of::<Parameters>().is_multiple_of(16), "a WGSL struct with vectors");
+
 impl Parameters {
     /// The constants for evaluating forces with time at rest or running backwards: no penalty planes, and springs that
     /// never break.

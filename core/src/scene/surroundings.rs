@@ -58,7 +58,9 @@ pub struct Wall {
     #[cfg_attr(feature = "serde", serde(default))]
     pub velocity: Vec3,
     /// Index of the fluid whose density the wall particles have (default 0). It matters with
-    /// [`WallPressure::Dynamic`](super::WallPressure::Dynamic).
+    /// [`WallPressure::Dynamic`](super::WallPressure::Dynamic); with
+    /// [`WallPressure::Extrapolated`](super::WallPressure::Extrapolated) its equation of state turns the pressure of the
+    /// wall into a density.
     #[cfg_attr(feature = "serde", serde(default))]
     pub fluid: u32,
     /// Dynamic viscosity between the wall and a fluid particle, Pa s, 0 or more (default `None`: that of the fluid

@@ -2,6 +2,7 @@
 //! of the water above: `p = rho0 g (H - y)`, H being the depth.
 use super::column::{Column, Miss, Profile};
 use super::flow::{checked, fluid, larger, mean, start_with, step, steps_to};
+use super::recipes::ROWS_STAY;
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
@@ -58,7 +59,7 @@ const INNER: Form = FORMS[0];
 const WHOLE: Form = FORMS[1];
 
 /// Kernel and number of neighbours of the whole form, with which a lattice under pressure keeps its rows.
-const REGULAR: (Kernel, f32) = (Kernel::WendlandC2, 32.0);
+const REGULAR: (Kernel, f32) = (Kernel::WendlandC2, ROWS_STAY);
 
 /// Required limits of the whole form: every layer, those at the floor and at the surface too, within 2 % of the
 /// pressure at the floor; the first layer within 0.05 spacings of half a spacing; the force on the walls within 0.2 %

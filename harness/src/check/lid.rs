@@ -1,15 +1,13 @@
 //! `lid`: a square cavity whose lid slides over it, at a Reynolds number of 100. The lid also slides over the side
 //! walls, which is what a wall that steps its own density does not survive.
 use super::flow::{checked, fluid, grid, larger, start_with, step, steps_to};
-use super::recipes::WENDLAND;
+use super::recipes::{ROWS_STAY, WATER};
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use glam::Vec3;
 use millpond_core::backend::derive::support_radius;
-use millpond_core::scene::{
-    Block, DensityDiffusion, DensityForm, Dimension, Face, Fluid, Formulation, Scene, Wall, WallPressure, WallShape,
-};
+use millpond_core::scene::{Block, Dimension, Face, Fluid, Formulation, Scene, Wall, WallPressure, WallShape};
 use millpond_core::{OwnedMemory, Solver};
 
 const NAME: &str = "lid";
@@ -30,9 +28,6 @@ const VISCOSITY: f32 = 10.0;
 
 /// Time step over the time that sound takes through a support radius.
 const COURANT: f64 = 0.1;
-
-/// With this number a lattice under pressure keeps its rows.
-const AVERAGE_NEIGHBOURS: f32 = 32.0;
 
 /// Required limit: density of every wall particle within 5 % of the rest density, in every sample.
 const LIMIT: f64 = 0.05;
@@ -92,15 +87,9 @@ fn scene(spacing: f32, wall_pressure: WallPressure) -> Scene {
         Fluid { rest_density: REST_DENSITY, speed_of_sound: SOUND, dynamic_viscosity: VISCOSITY, ..Fluid::default() };
     let block = Block { size: Vec3::new(1.0, 1.0, 0.0), ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, spacing, 1.0, fluid, block);
-    scene.average_neighbours = AVERAGE_NEIGHBOURS;
+    scene.average_neighbours = ROWS_STAY;
     scene.time_step = (COURANT * support_radius(&scene) / f64::from(SOUND)) as f32;
-    scene.model = Formulation {
-        density: DensityForm::Continuity,
-        density_diffusion: DensityDiffusion::Hydrostatic,
-        wall_pressure,
-        normalize_mass: true,
-        ..WENDLAND
-    };
+    scene.model = Formulation { wall_pressure, ..WATER };
     let inside =
         WallShape::Box { low: Vec3::ZERO, high: Vec3::new(1.0, 1.0, 0.0), open: [Face::Ceiling].into_iter().collect() };
     // as far over the side walls as they are thick

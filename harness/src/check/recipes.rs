@@ -51,6 +51,29 @@ pub(super) const WENDLAND: Formulation = Formulation {
     ..PIROVANO
 };
 
+/// [`WENDLAND`] for water between walls of particles: the continuity equation with a diffusion that leaves a fluid at
+/// rest alone, and walls that follow the fluid.
+pub(super) const WATER: Formulation = Formulation {
+    density: DensityForm::Continuity,
+    density_diffusion: DensityDiffusion::Hydrostatic,
+    wall_pressure: WallPressure::Extrapolated,
+    normalize_mass: true,
+    ..WENDLAND
+};
+
+/// [`WATER`] with a free surface that hardly shears: it starts at rest under its weight, its pressure is not negative,
+/// and a little artificial viscosity, whose coefficient a study sets, damps its sound.
+pub(super) const WATER_WITH_SURFACE: Formulation = Formulation {
+    viscosity: Viscosity::Artificial,
+    beta: 0.0,
+    initialize_hydrostatic: true,
+    negative_pressure: false,
+    ..WATER
+};
+
+/// Number of neighbours in 2D with which a lattice under pressure keeps its rows with [`WATER`].
+pub(super) const ROWS_STAY: f32 = 32.0;
+
 /// [`WENDLAND`] for several fluids: a density that is not smeared across an interface (Solenthaler and Pajarola 2008),
 /// and the pressure force of Hu and Adams 2007.
 pub(super) const SEVERAL_FLUIDS: Formulation =

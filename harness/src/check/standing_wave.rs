@@ -1,15 +1,14 @@
 //! `standing-wave`: case W1. A standing wave in a closed tank, against the period of linear theory. How fast it decays
 //! is the numerical viscosity of the fluid, and it must not grow.
 use super::flow::{checked, fluid, grid, larger, start_with, step, steps_to};
-use super::recipes::WENDLAND;
+use super::recipes::{ROWS_STAY, WATER_WITH_SURFACE};
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use glam::Vec3;
 use millpond_core::backend::derive::support_radius;
 use millpond_core::scene::{
-    Block, DensityDiffusion, DensityForm, Dimension, Face, Fluid, Formulation, InitialParticle, Scene, Viscosity, Wall,
-    WallPressure, WallShape,
+    Block, DensityDiffusion, Dimension, Face, Fluid, Formulation, InitialParticle, Scene, Wall, WallPressure, WallShape,
 };
 use millpond_core::{OwnedMemory, Particle, Solver};
 use std::f64::consts::PI;
@@ -34,9 +33,6 @@ const AMPLITUDE: f64 = 0.03;
 /// Speed of sound over `sqrt(g H)`, and time step over the time that sound takes through a support radius.
 const SOUND: f32 = 10.0;
 const COURANT: f64 = 0.1;
-
-/// With this number a lattice under pressure keeps its rows.
-const AVERAGE_NEIGHBOURS: f32 = 32.0;
 
 /// Coefficient of artificial viscosity, which with the support radius H implies a viscosity of `alpha H c / 8`, 6e-4
 /// m2/s in a full study.
@@ -111,20 +107,9 @@ fn scene(spacing: f32, (wall_pressure, density_diffusion): (WallPressure, Densit
     let block = Block { size: Vec3::new(2.0, 1.0, 0.0), ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, spacing, 1.0, water, block);
     scene.gravity = Vec3::new(0.0, -GRAVITY, 0.0);
-    scene.average_neighbours = AVERAGE_NEIGHBOURS;
+    scene.average_neighbours = ROWS_STAY;
     scene.time_step = (COURANT * support_radius(&scene) / f64::from(speed_of_sound)) as f32;
-    scene.model = Formulation {
-        density: DensityForm::Continuity,
-        density_diffusion,
-        wall_pressure,
-        viscosity: Viscosity::Artificial,
-        alpha: ALPHA,
-        beta: 0.0,
-        normalize_mass: true,
-        initialize_hydrostatic: true,
-        negative_pressure: false,
-        ..WENDLAND
-    };
+    scene.model = Formulation { density_diffusion, wall_pressure, alpha: ALPHA, ..WATER_WITH_SURFACE };
     let tank =
         WallShape::Box { low: Vec3::ZERO, high: Vec3::new(2.0, 1.2, 0.0), open: [Face::Ceiling].into_iter().collect() };
     let smooth = Wall { dynamic_viscosity: Some(0.0), ..Wall::still(tank) };
