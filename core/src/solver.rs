@@ -331,7 +331,7 @@ impl<'m> Solver<'m> {
             s.velocity,
             s.acceleration,
             s.density_pressure,
-            s.xsph_velocity,
+            s.drift_velocity,
             s.internal_energy,
             s.normal,
             s.history,

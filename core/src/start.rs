@@ -118,7 +118,7 @@ impl Solver<'_> {
             state.id[slot] = slot as u32;
             state.slot_of_id[slot] = slot as u32;
         }
-        state.xsph_velocity.fill([0.0; 4]);
+        state.drift_velocity.fill([0.0; 4]);
         self.memory.given.spring_ranges.fill([0; 4]);
         match particles.next() {
             Some(_) => Err(wrong(needed + 1)),

@@ -4,8 +4,8 @@
 use millpond_core::OwnedMemory;
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
-    Block, DensityForm, Dimension, Evaluation, Fluid, Formulation, Grid, Kernel, NearPressure, Periodic, PressureForce,
-    Scene, SurfaceTension, Viscosity,
+    Block, DensityDiffusion, DensityForm, Dimension, Evaluation, Fluid, Formulation, Grid, Kernel, NearPressure,
+    Periodic, PressureForce, Scene, Shifting, SurfaceTension, Viscosity,
 };
 use millpond_core::{Serial, Solver};
 
@@ -125,6 +125,24 @@ fn momentum_by_every_form_whose_pairs_act_alike() {
 }
 
 #[test]
+fn momentum_by_shifting_and_not_by_tensile_control() {
+    let diffused = Formulation {
+        density: DensityForm::Continuity,
+        density_diffusion: DensityDiffusion::Renormalised,
+        pressure_force: PressureForce::Monaghan,
+        ..Formulation::default()
+    };
+    // a transport velocity blows the drops apart, so that there is no inside for tensile control to act on
+    for (shifting, tensile_control) in
+        [(Shifting::Fickian, false), (Shifting::TransportVelocity, false), (Shifting::Fickian, true)]
+    {
+        let strayed = strayed(&collision(Formulation { shifting, tensile_control, ..diffused }));
+        let as_promised = if tensile_control { strayed > 10.0 * ROUNDING } else { strayed < ROUNDING };
+        assert!(as_promised, "{shifting:?}, tensile control {tensile_control}: {strayed} kg m/s");
+    }
+}
+
+#[test]
 fn energy_to_the_order_of_the_integrator() {
     for viscosity in [
         Viscosity::Mueller,
@@ -185,15 +203,19 @@ fn an_even_motion_of_everything_is_no_motion() {
     let mut scene = Scene::of(Dimension::Two, 0.025, 0.001, water, block);
     scene.average_neighbours = 20.0;
     scene.periodic = Some(Periodic { low: Vec3::ZERO, high: Vec3::new(0.4, 0.4, 0.0), axes: [true, true, false] });
-    for evaluation in [Evaluation::Direct, Evaluation::Table] {
-        scene.model = Formulation { evaluation, xsph: 0.5, ..Formulation::modern() };
+    for (evaluation, shifting) in [
+        (Evaluation::Direct, Shifting::Off),
+        (Evaluation::Table, Shifting::Fickian),
+        (Evaluation::Direct, Shifting::TransportVelocity),
+    ] {
+        scene.model = Formulation { evaluation, shifting, xsph: 0.5, ..Formulation::modern() };
         let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
         let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
         (0..200).for_each(|_| solver.step(&Serial).expect("a step"));
         let off = |p: millpond_core::Particle| (p.velocity.x - 1.0).abs().max((p.velocity.y + 0.5).abs());
         let largest = solver.particles().map(off).fold(0.0, f32::max);
         // a lattice at rest has a pressure of its own, about 100 Pa, whose gradient is zero up to rounding
-        assert!(largest < 1e-4, "{evaluation:?}: {largest} m/s");
+        assert!(largest < 1e-4, "{evaluation:?} {shifting:?}: {largest} m/s");
         assert!(solver.particles().all(|p| (0.0..=0.4).contains(&p.position.x)), "inside the domain");
     }
 }

@@ -9,6 +9,7 @@ use millpond_core::OwnedMemory;
 use millpond_core::backend::layout::Model;
 use millpond_core::backend::plan::schedule::Command;
 use millpond_core::backend::terms::correction::PRESSURE_CORRECTION;
+use millpond_core::backend::terms::shifting::FICKIAN;
 use millpond_core::backend::terms::table::TABLE;
 use millpond_core::scene::Scene;
 use millpond_core::{Array, Checked, Plan, Requirements, Solver};
@@ -170,6 +171,9 @@ type Include = fn(&mut Model);
 const OPTIONAL: &[(&str, Include)] = &[
     ("cell lists", |m| m.cell_places = m.cell_places.max(USUAL_PLACES)),
     ("XSPH", |m| m.has_xsph = 1),
+    ("shifting", |m| m.shifting = FICKIAN),
+    ("tensile control", |m| m.has_tensile_control = 1),
+    ("renormalised gradients", |m| m.has_tensile_control = 1),
     ("internal energy", |m| m.has_internal_energy = 1),
     ("variable support", |m| m.has_variable_support = 1),
     ("pressure correction", |m| m.pressure_solver = PRESSURE_CORRECTION),

@@ -3,7 +3,8 @@ use super::Add;
 use super::scenes::{pulled, second_fluid, walls};
 use millpond_core::scene::{
     Correction, DensityDiffusion, DensityForm, EquationOfState, Evaluation, Formulation, Iteration, Kernel,
-    NearPressure, PressureForce, PressureSolver, SupportRange, SurfaceTension, Viscosity, WallPressure,
+    NearPressure, PressureForce, PressureSolver, Scene, Shifting, SupportRange, SurfaceTension, Viscosity,
+    WallPressure,
 };
 
 pub fn kernels_and_pressure(add: Add<'_>) {
@@ -27,7 +28,7 @@ pub fn kernels_and_pressure(add: Add<'_>) {
             (s.model.density, s.model.normalize_mass) = (density, true);
         });
     }
-    for diffusion in [DensityDiffusion::Plain, DensityDiffusion::Hydrostatic] {
+    for diffusion in [DensityDiffusion::Plain, DensityDiffusion::Hydrostatic, DensityDiffusion::Renormalised] {
         for density in [DensityForm::Continuity, DensityForm::ContinuityAdapted] {
             add(format!("{density:?}, diffusion {diffusion:?}"), &|s| {
                 (s.model.density, s.model.density_diffusion, s.model.diffusion) = (density, diffusion, 0.2);
@@ -77,6 +78,13 @@ pub fn kernels_and_pressure(add: Add<'_>) {
             walls(s);
         });
     }
+    for &force in PressureForce::ALL {
+        if !matches!(force, PressureForce::Canonical | PressureForce::Difference | PressureForce::NumberDensity) {
+            add(format!("tensile_control, pressure_force {force:?}"), &|s| {
+                (s.model.tensile_control, s.model.pressure_force) = (true, force);
+            });
+        }
+    }
     add("stiffness".into(), &|s| s.fluids[0].stiffness = Some(2000.0));
     for force in [PressureForce::Monaghan, PressureForce::Difference] {
         for (iteration, tolerance) in
@@ -92,6 +100,35 @@ pub fn kernels_and_pressure(add: Add<'_>) {
     for &near in NearPressure::ALL {
         add(format!("near_pressure {near:?}"), &|s| s.model.near_pressure = near);
     }
+}
+
+pub fn shifting(add: Add<'_>) {
+    for (shifting, shifting_speed) in
+        [(Shifting::Fickian, None), (Shifting::Fickian, Some(2.0)), (Shifting::TransportVelocity, None)]
+    {
+        let chosen = move |s: &mut Scene| {
+            (s.model.shifting, s.model.shifting_speed, s.model.shifting_coefficient) = (shifting, shifting_speed, 0.7);
+        };
+        let name = format!("shifting {shifting:?} {shifting_speed:?}");
+        add(name.clone(), &chosen);
+        for &wall in WallPressure::ALL {
+            add(format!("{name}, walls {wall:?}, two fluids, XSPH"), &|s| {
+                chosen(s);
+                (s.model.wall_pressure, s.model.xsph) = (wall, 0.1);
+                walls(s);
+                second_fluid(s);
+            });
+        }
+        add(format!("{name}, tensile control, supports that vary"), &|s| {
+            chosen(s);
+            (s.model.tensile_control, s.model.density) = (true, DensityForm::Continuity);
+            s.model.variable_support = Some(SupportRange { smallest: 0.7, largest: 1.3 });
+        });
+    }
+    add("shift_across_interfaces".into(), &|s| {
+        (s.model.shifting, s.model.shift_across_interfaces) = (Shifting::Fickian, true);
+        second_fluid(s);
+    });
 }
 
 pub fn viscosity_and_tension(add: Add<'_>) {

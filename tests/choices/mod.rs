@@ -24,6 +24,7 @@ pub fn choices(base: &Scene) -> Vec<(String, Scene)> {
         all.push((what, scene));
     };
     formulas::kernels_and_pressure(&mut add);
+    formulas::shifting(&mut add);
     formulas::viscosity_and_tension(&mut add);
     time::time(&mut add);
     fluids::fluids(&mut add);

@@ -1,12 +1,12 @@
 //! The constants that every pass reads, rounded once.
 use super::counts::{Counts, field_counts};
 use super::domain::Axes;
-use super::kernel_constants::{laplacian, near_slope_constant, power};
+use super::kernel_constants::{laplacian, near_slope_constant, power, value};
 use super::materials::CORRECTION_SOURCE;
 use super::scales::Scales;
 use super::step_limits::StepLimits;
 use crate::layout::{PLANES, Parameters, Planes, StepUniform};
-use crate::scene::{FACES, Face, NearPressure, Scene, SupportRange, Viscosity};
+use crate::scene::{FACES, Face, NearPressure, Scene, Shifting, SupportRange, Viscosity};
 use bytemuck::Zeroable;
 
 const _: () = assert!(PLANES == FACES, "a plane for each face of a container");
@@ -15,6 +15,10 @@ const _: () = assert!(PLANES == FACES, "a plane for each face of a container");
 /// h^2 with a support radius of 2 h. With 0.01 H^2 the Laplacian of Morris et al. 1997 is 3 to 5 % too small on a
 /// lattice, with this value at most 2 %.
 const SOFTENING: f64 = 0.01 / 4.0;
+
+/// Largest distance over the particle spacing that a particle is shifted in a step (our choice; Lind et al. 2012 have
+/// 0.2 smoothing lengths).
+const SHIFT_LIMIT: f64 = 0.1;
 
 /// Distance over H at which the Laplacian of a smooth kernel is evaluated for its value at distance zero. The Laplacian
 /// is an even function, so this is accurate to 1e-6.
@@ -43,6 +47,11 @@ pub(super) fn parameters(
     let viscosity_constant = model.viscosity_kernel.normalisation(d) * over(d + 1);
     let density_constant = model.density_kernel.normalisation(d) * over(d);
     let range = model.variable_support.unwrap_or(SupportRange { smallest: 1.0, largest: 1.0 });
+    let shifted_length = match model.shifting {
+        Shifting::Off => 0.0,
+        Shifting::Fickian => support,
+        Shifting::TransportVelocity => 1.0,
+    };
     let elasticity = &scene.elasticity;
     let air = scene.air.as_ref();
     let plasticity = elasticity.plasticity;
@@ -100,6 +109,10 @@ pub(super) fn parameters(
         velocity_exchange: if exchanged { model.velocity_exchange } else { 0.0 },
         radial_exchange: model.radial_exchange,
         xsph_constant: (f64::from(model.xsph) * rest_volume * density_constant) as f32,
+        shifting: (f64::from(model.shifting_coefficient) * shifted_length) as f32,
+        shifting_speed: model.shifting_speed.unwrap_or(0.0),
+        shift_limit_length: (SHIFT_LIMIT * f64::from(scene.particle_spacing)) as f32,
+        inverse_kernel_at_spacing: inverse_kernel_at_spacing(scene, support),
         heat_gain: model.heat_gain,
         ambient_ratio: scene.ambient_density / fluid.rest_density,
         restitution: container.map_or(0.0, |c| c.restitution),
@@ -121,6 +134,12 @@ pub(super) fn parameters(
         reject_ratio: adaptive.reject_ratio.unwrap_or(0.0),
         unused: 0.0,
     }
+}
+
+/// The inverse of the density kernel at the distance of the spacing, without its constant; 0 if the kernel ends before.
+fn inverse_kernel_at_spacing(scene: &Scene, support: f64) -> f32 {
+    let w = value(scene.model.density_kernel, f64::from(scene.particle_spacing) / support);
+    if w > 0.0 { (1.0 / w) as f32 } else { 0.0 }
 }
 
 /// The numbers of the first step, as the scene sets them.

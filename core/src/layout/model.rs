@@ -77,6 +77,14 @@ shared! {
         pub has_internal_energy: u32,
         /// 1: XSPH: particles move with a velocity nearer to that of their neighbours.
         pub has_xsph: u32,
+        /// [`terms::shifting`](crate::terms::shifting); 0: none.
+        pub shifting: u32,
+        /// 1: the scene gives the speed of the shifting.
+        pub has_shifting_speed: u32,
+        /// 1: particles are shifted across the interfaces of fluids.
+        pub shifts_interfaces: u32,
+        /// 1: particles with a negative pressure do not attract their neighbours.
+        pub has_tensile_control: u32,
         /// [`terms::integrate`](crate::terms::integrate).
         pub integrator: u32,
         /// 1: forces are evaluated a second time, with the predicted velocities at the end of the step.

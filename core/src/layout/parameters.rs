@@ -103,6 +103,16 @@ shared! {
         /// Factor that turns a sum over the density kernel into an XSPH velocity: eta, times mass over rest density,
         /// times the constant of the kernel.
         pub xsph_constant: f32,
+        /// Coefficient of the shifting: times the support radius, m, for the diffusion of particles; 1 for a background
+        /// pressure of `rho0 c0^2`.
+        pub shifting: f32,
+        /// Speed of the shifting, m/s; unused if it follows from the flow.
+        pub shifting_speed: f32,
+        /// Largest distance that a particle is shifted in a step, m.
+        pub shift_limit_length: f32,
+        /// Inverse of the density kernel at the distance of the particle spacing, without its constant; 0 if the kernel
+        /// ends before.
+        pub inverse_kernel_at_spacing: f32,
         /// Share of the dissipated energy that becomes internal energy.
         pub heat_gain: f32,
         /// Ambient density over the rest density of the first fluid.

@@ -57,6 +57,7 @@ pub(crate) mod b_sort {
 pub(crate) mod c_density {
     pub(crate) mod density;
     pub(crate) mod neighbours;
+    pub(crate) mod renormalise;
     pub(crate) mod support;
     pub(crate) mod wall_states;
     pub(crate) mod wall_sums;
@@ -81,6 +82,7 @@ pub(crate) mod f_advance {
     pub(crate) mod integrate_after;
     pub(crate) mod internal_energy;
     pub(crate) mod predict_velocity;
+    pub(crate) mod shift;
     pub(crate) mod spawn_requests;
     pub(crate) mod xsph;
 }

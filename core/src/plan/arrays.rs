@@ -31,8 +31,8 @@ macro_rules! with_arrays {
                 /// Density over the rest density minus one, pressure and near pressure in Pa, volume in m3
                 /// ([`QUANTITIES`](crate::layout::QUANTITIES)).
                 density_pressure as Density: f32x4 per Particle, if |_| true;
-                /// XSPH velocity, which is added to a particle's own to move it, m/s; w unused. Only with XSPH.
-                xsph_velocity as XsphVelocity: f32x4 per Particle, if |m| m.has_xsph == 1;
+                /// Velocity that is added to a particle's own to move it, m/s; w unused. Only with XSPH or shifting.
+                drift_velocity as DriftVelocity: f32x4 per Particle, if |m| m.drifts();
                 /// Internal energy, J/kg, and its rate, W/kg; z and w unused. Only in scenes that track internal
                 /// energy.
                 internal_energy as InternalEnergy: f32x4 per Particle, if |m| m.has_internal_energy == 1,
@@ -85,6 +85,9 @@ macro_rules! with_arrays {
                 previous_density_pressure: f32x4 per Particle, if |m| m.needs_previous(), from density_pressure@old;
                 /// Support radius of each particle over that of the scene. Only with variable support.
                 support_ratio: f32 per Particle, if |m| m.has_variable_support == 1;
+                /// Renormalised gradient of the density deviation before the step, 1/m; w: smallest eigenvalue lambda.
+                /// Only if the diffusion of density, shifting or tensile control need them.
+                renormalised_gradient: f32x4 per Particle, if |m| m.renormalises();
                 /// Velocity of each particle as viscosity sees it, m/s; w: material. That of a wall particle is
                 /// extrapolated from the fluid, and its w is its pressure in Pa until that is stored. Only with walls
                 /// that are extrapolated.

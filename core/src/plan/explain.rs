@@ -2,7 +2,9 @@
 use super::Plan;
 use super::passes::Pass;
 use crate::scene::{PressureSolver, Viscosity};
+use crate::terms::diffusion::RENORMALISED;
 use crate::terms::extrapolation::extrapolates_velocity;
+use crate::terms::shifting::NO_SHIFTING;
 use crate::terms::{density, integrate, tension};
 use heapless::Vec;
 
@@ -37,7 +39,7 @@ impl Plan {
         match pass {
             Pass::IntegrateBefore => {
                 add(&choice.integrator.terms()[..1], true);
-                add(&["drift"], m.has_xsph == 1);
+                add(&["drift"], m.drifts());
                 add(&["wrap"], m.is_periodic == 1);
             }
             Pass::Support => add(&["support_close"], true),
@@ -57,6 +59,7 @@ impl Plan {
             Pass::WallStates => add(&["wall_deviation"], true),
             Pass::Force => {
                 add(choice.pressure_force.terms(), !corrects);
+                add(&["pressure_without_tension"], m.has_tensile_control == 1);
                 add(slope, !corrects);
                 add(choice.wall_pressure.terms(), m.wall_particles != 0);
                 add(&choice.near_pressure.terms()[choice.near_pressure.terms().len().min(1)..], m.near_pressure != 0);
@@ -96,7 +99,12 @@ impl Plan {
             }
             Pass::Measure => add(&["bounded_square", "bounded_sound"], true),
             Pass::Commit => add(&["step_wanted", "step_limited", "clock_after"], m.has_changing_step == 1),
+            Pass::Renormalise => {
+                add(&["gradient_weight", "smallest_eigenvalue"], true);
+                add(&["renormalised"], m.density_diffusion == RENORMALISED);
+            }
             Pass::Xsph => add(&["xsph_neighbour"], true),
+            Pass::Shift => add(choice.shifting.terms(), true),
             _ => {}
         }
         terms
@@ -104,7 +112,7 @@ impl Plan {
 
     /// The features that the scene does not use.
     #[must_use]
-    pub fn left_out(&self) -> Vec<LeftOut, 32> {
+    pub fn left_out(&self) -> Vec<LeftOut, 40> {
         let (m, choice) = (&self.model, &self.choice);
         let lists = m.cell_places > 0;
         let all = [
@@ -140,6 +148,9 @@ impl Plan {
             (m.has_materials == 0, "materials", "one fluid, no walls, and no block with its own dynamic_viscosity"),
             (m.has_internal_energy == 0, "internal energy", "model.internal_energy is off"),
             (m.has_xsph == 0, "XSPH", "model.xsph is 0"),
+            (m.shifting == NO_SHIFTING, "shifting", "model.shifting is Off, or model.shifting_coefficient is 0"),
+            (m.has_tensile_control == 0, "tensile control", "model.tensile_control is off"),
+            (!m.renormalises(), "renormalised gradients", "no other choice needs them"),
             (!integrate::has_history(m), "integrator history", "model.integrator needs nothing of previous steps"),
             (m.is_reevaluated == 0, "second force evaluation", "model.reevaluate is off"),
             (m.has_changing_step == 0, "changing time step", "adaptive is not set, and recovery is Refuse"),

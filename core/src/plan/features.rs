@@ -3,7 +3,9 @@
 use crate::layout::Model;
 use crate::terms::correction::PRESSURE_CORRECTION;
 use crate::terms::density::{counts_masses, is_stepped};
+use crate::terms::diffusion::RENORMALISED;
 use crate::terms::integrate::{SEMI_IMPLICIT_EULER, knows_velocity};
+use crate::terms::shifting::{FICKIAN, NO_SHIFTING};
 use crate::terms::table::DIRECT;
 use crate::terms::tension::{CURVATURE, NORMAL_CURVATURE};
 
@@ -11,13 +13,25 @@ impl Model {
     /// Returns whether a step needs the density and pressure of the particles before the step.
     #[must_use]
     pub fn needs_previous(&self) -> bool {
-        is_stepped(self) || self.corrects_pressure() || self.has_variable_support == 1
+        is_stepped(self) || self.corrects_pressure() || self.has_variable_support == 1 || self.renormalises()
     }
 
     /// Returns whether pressure is found by iteration (pressure correction).
     #[must_use]
     pub fn corrects_pressure(&self) -> bool {
         self.pressure_solver == PRESSURE_CORRECTION
+    }
+
+    /// Returns whether particles move with a velocity in addition to their own (XSPH, shifting).
+    #[must_use]
+    pub fn drifts(&self) -> bool {
+        self.has_xsph == 1 || self.shifting != NO_SHIFTING
+    }
+
+    /// Returns whether a step computes renormalised gradients and the eigenvalue lambda.
+    #[must_use]
+    pub fn renormalises(&self) -> bool {
+        self.density_diffusion == RENORMALISED || self.shifting == FICKIAN || self.has_tensile_control == 1
     }
 
     /// Returns whether surface tension acts by the curvature of the surface.
@@ -32,10 +46,11 @@ impl Model {
         self.has_container == 1 || !knows_velocity(self)
     }
 
-    /// Returns whether density depends only on the distances to the neighbours, and not on their properties.
+    /// Returns whether density depends only on the distances to the neighbours, and not on their properties, and no pass
+    /// before it needs the neighbours.
     #[must_use]
     pub fn sums_distances(&self) -> bool {
-        !is_stepped(self) && !counts_masses(self) && self.has_variable_support == 0
+        !is_stepped(self) && !counts_masses(self) && self.has_variable_support == 0 && !self.renormalises()
     }
 
     /// Returns whether a step makes neighbour lists. The half stencil searches the cells in each pass instead.

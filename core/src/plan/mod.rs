@@ -16,9 +16,9 @@ pub use explain::{LeftOut, Terms};
 use crate::layout::Model;
 use crate::scene::{
     Adjustable, DensityForm, Dimension, Evaluation, Fluid, Formulation, GridStructure, NearPressure, Reflection,
-    SurfaceTension, Traversal, Viscosity,
+    Shifting, SurfaceTension, Traversal, Viscosity,
 };
-use crate::terms::{diffusion, near, tension, viscosity, wall};
+use crate::terms::{diffusion, near, shifting, tension, viscosity, wall};
 use crate::validate::Checked;
 use glam::Vec3;
 use passes::Pass;
@@ -81,6 +81,11 @@ impl Plan {
                 is_plastic: u32::from(scene.fluids.iter().any(is_elastic) && everything.model.is_plastic == 1),
                 has_internal_energy: u32::from(choice.internal_energy),
                 has_xsph: u32::from(choice.xsph != 0.0),
+                shifting: if choice.shifting_coefficient == 0.0 {
+                    shifting::NO_SHIFTING
+                } else {
+                    choice.shifting as u32
+                },
                 ..everything.model
             },
             ..everything
@@ -145,6 +150,10 @@ impl Plan {
                 has_air: u32::from(scene.air.is_some()),
                 has_internal_energy: 1,
                 has_xsph: 1,
+                shifting: if choice.shifting == Shifting::Off { Shifting::Fickian } else { choice.shifting } as u32,
+                has_shifting_speed: u32::from(choice.shifting_speed.is_some()),
+                shifts_interfaces: u32::from(choice.shift_across_interfaces),
+                has_tensile_control: u32::from(choice.tensile_control),
                 is_3d: u32::from(scene.dimension == Dimension::Three),
                 integrator: choice.integrator as u32,
                 is_reevaluated: u32::from(choice.reevaluate),

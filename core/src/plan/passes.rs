@@ -3,6 +3,7 @@
 use super::arrays::{Array, Side, side};
 use crate::layout::Model;
 use crate::terms::integrate::needs_predicted_velocity;
+use crate::terms::shifting::NO_SHIFTING;
 use crate::terms::wall::EXTRAPOLATED;
 
 /// Hands the table to a macro, in the order of a step. A row is: name, folder and file, GPU threads, use of the status,
@@ -23,7 +24,7 @@ macro_rules! with_passes {
             /// Moves the particles to the positions at which the forces are evaluated: the first half of the
             /// integrator.
             IntegrateBefore: a_move / integrate_before, particles, reads, if |_| true, [
-                read position@old, read velocity@old, read acceleration@old, read xsph_velocity@old, read history@old,
+                read position@old, read velocity@old, read acceleration@old, read drift_velocity@old, read history@old,
                 write moved_position, write moved_velocity];
             /// Finds the cell of each particle, and counts the particles in each cell.
             Count: b_sort / count, particles, counts, if |_| true, [
@@ -50,10 +51,15 @@ macro_rules! with_passes {
             /// Lists the neighbours of each particle. If density depends only on distances, the density pass makes the
             /// lists instead. The half stencil makes no lists.
             Neighbours: c_density / neighbours, host, reads, if |m| m.makes_lists() && !m.sums_distances(), [];
+            /// Computes renormalised gradients and lambda (if the diffusion of density, shifting or tensile control
+            /// need them).
+            Renormalise: c_density / renormalise, particles, reads, if |m| m.renormalises(), [
+                read cell_start, read position@new, read velocity@new, read previous_density_pressure,
+                read support_ratio, write renormalised_gradient];
             /// Computes density, pressure and volume.
             Density: c_density / density, particles, reads, if |_| true, [
                 read cell_start, read position@new, read velocity@new, read previous_density_pressure,
-                read support_ratio, write density_pressure@new];
+                read support_ratio, read renormalised_gradient, write density_pressure@new];
             /// Takes pressure and velocity from the fluid to wall particles (with extrapolated walls).
             WallSums: c_density / wall_sums, particles, reads, if |m| m.wall_particles == EXTRAPOLATED, [
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read support_ratio,
@@ -64,7 +70,7 @@ macro_rules! with_passes {
             /// Computes accelerations; with pressure correction, those without pressure.
             Force: d_forces / force, particles, reads, if |_| true, [
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read support_ratio,
-                read acceleration_field, read seen_velocity, write acceleration@force];
+                read acceleration_field, read seen_velocity, read renormalised_gradient, write acceleration@force];
             /// Finds the normals of surfaces (if the surface tension or the caller needs them).
             Normals: d_forces / normals, particles, reads, if |m| m.has_normals == 1, [
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read support_ratio,
@@ -106,7 +112,11 @@ macro_rules! with_passes {
             /// Computes the XSPH velocities (with XSPH).
             Xsph: f_advance / xsph, particles, reads, if |m| m.has_xsph == 1, [
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read end_velocity,
-                read support_ratio, write xsph_velocity@new];
+                read support_ratio, write drift_velocity@new];
+            /// Computes the velocities of the shifting of particles (with shifting).
+            Shift: f_advance / shift, particles, reads, if |m| m.shifting != NO_SHIFTING, [
+                read cell_start, read position@new, read velocity@new, read density_pressure@new, read support_ratio,
+                read renormalised_gradient, write drift_velocity@new];
             /// Finds the particles that request an air particle beside them (with air).
             SpawnRequests: f_advance / spawn_requests, particles, reads, if |m| m.has_air == 1, [
                 read cell_start, read position@new, read total_colour_gradient, read id@new, write spawn_requested];

@@ -2,7 +2,7 @@
 //! choice defines the numbers of its variants; they are imported here. The names of the formulas are those of their
 //! functions.
 use crate::terms::{
-    correction, density, diffusion, integrate, kernel, near, pressure, state, table, tension, viscosity, wall,
+    correction, density, diffusion, integrate, kernel, near, pressure, shifting, state, table, tension, viscosity, wall,
 };
 
 /// Defines a choice between formulas: its variants, the number that the formula compares, and the names of the
@@ -98,6 +98,28 @@ choice! {
         /// Diffusion of the density that is not due to the weight of the fluid (Fourtakas et al. 2019). A fluid at rest
         /// stays at rest.
         Hydrostatic = diffusion::HYDROSTATIC => &["diffusion_neighbour", "hydrostatic_difference"],
+        /// Diffusion of the density that differs from a linear field (Antuono et al. 2010). A fluid at rest stays at
+        /// rest under any force, but the gradients of the density take a pass of their own.
+        Renormalised = diffusion::RENORMALISED => &["diffusion_neighbour", "linear_difference"],
+    }
+}
+
+choice! {
+    /// Shifting: a velocity with which particles move in addition to their own, so that they stay evenly distributed. It
+    /// fills the gaps that open where a fluid is stretched, and changes no momentum.
+    #[derive(Default)]
+    pub enum Shifting {
+        /// No shifting (default).
+        #[default]
+        Off = shifting::NO_SHIFTING => &[],
+        /// Diffusion of particles from where they are close to where they are sparse (Lind et al. 2012; Sun et al.
+        /// 2017). At a free surface they move along the surface only, and so they do at the interface of two fluids,
+        /// unless [`Formulation::shift_across_interfaces`](super::Formulation::shift_across_interfaces) is on. A fluid
+        /// that does not deform is not shifted.
+        Fickian = shifting::FICKIAN => &["concentration_gradient", "approach_squared", "fickian_velocity"],
+        /// The velocity that a background pressure would give the particles within a step (Adami et al. 2013). For
+        /// closed and periodic domains that the fluid fills: it blows a free surface apart.
+        TransportVelocity = shifting::TRANSPORT_VELOCITY => &["background_gradient", "transport_velocity"],
     }
 }
 

@@ -19,8 +19,8 @@ pub use adjustable::Adjustable;
 pub use air::Air;
 pub use choice::{
     DensityDiffusion, DensityForm, Dimension, EquationOfState, Evaluation, FACES, Face, GridStructure, Integrator,
-    Iteration, Kernel, NearPressure, PressureForce, PressureSolver, Reflection, SurfaceTension, Traversal, Viscosity,
-    WallPressure,
+    Iteration, Kernel, NearPressure, PressureForce, PressureSolver, Reflection, Shifting, SurfaceTension, Traversal,
+    Viscosity, WallPressure,
 };
 pub use elasticity::{Elasticity, Plasticity};
 pub use fluid::{Block, FLUIDS, Fluid};

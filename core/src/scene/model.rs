@@ -1,7 +1,7 @@
 //! The formulation of a scene: which formulas it uses, and their coefficients.
 use super::choice::{
     DensityDiffusion, DensityForm, EquationOfState, Evaluation, Integrator, Iteration, Kernel, NearPressure,
-    PressureForce, PressureSolver, SurfaceTension, Viscosity, WallPressure,
+    PressureForce, PressureSolver, Shifting, SurfaceTension, Viscosity, WallPressure,
 };
 
 /// The formulas of a scene and their coefficients, which are the same for all fluids. The defaults are those of
@@ -78,6 +78,24 @@ pub struct Formulation {
     /// velocity with which a particle is moved is shifted towards the velocities of its neighbours. It makes the
     /// motion smoother.
     pub xsph: f32,
+    /// Shifting of particles to an even distribution (default off).
+    pub shifting: Shifting,
+    /// Coefficient of the shifting, 0 to 1 (default 1). With [`Shifting::Fickian`] it scales the velocity of the
+    /// shifting; with [`Shifting::TransportVelocity`] the background pressure is this times `rho0 c0^2`.
+    pub shifting_coefficient: f32,
+    /// Speed U of [`Shifting::Fickian`], m/s, larger than 0: about the fastest speed of the flow, as Sun et al. 2017 choose
+    /// it (default `None`: about the largest speed with which the neighbours of a particle approach or leave it. It needs
+    /// no knowledge of the flow, and vanishes where a fluid does not deform; but it shifts too little for a lattice on
+    /// which a flow converges for long).
+    pub shifting_speed: Option<f32>,
+    /// Shifts particles across the interfaces of fluids, as if all particles were of one fluid (default off: at an
+    /// interface particles move along it only). It smears interfaces. Only with [`Shifting::Fickian`].
+    pub shift_across_interfaces: bool,
+    /// Tensile control: inside the fluid particles with a negative pressure do not attract their neighbours; a pair
+    /// exchanges the difference of its pressures instead (Sun et al. 2018; default off). It keeps stretched fluid from
+    /// tearing. Such forces are not equal and opposite, so momentum is conserved only as well as the particles are
+    /// evenly distributed; shifting sees to that.
+    pub tensile_control: bool,
     /// Model of the surface tension (default off). Its coefficient is
     /// [`Fluid::surface_tension`](super::Fluid::surface_tension).
     pub surface_tension: SurfaceTension,
@@ -128,6 +146,11 @@ impl Default for Formulation {
             velocity_exchange: 0.0,
             radial_exchange: 0.0,
             xsph: 0.0,
+            shifting: Shifting::Off,
+            shifting_coefficient: 1.0,
+            shifting_speed: None,
+            shift_across_interfaces: false,
+            tensile_control: false,
             surface_tension: SurfaceTension::Off,
             surface_threshold: 0.1,
             surface_normals: false,

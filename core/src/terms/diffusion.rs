@@ -1,4 +1,5 @@
-//! Diffusion of density between particles of one fluid (Molteni and Colagrossi 2009; Fourtakas et al. 2019).
+//! Diffusion of density between particles of one fluid (Molteni and Colagrossi 2009; Antuono et al. 2010; Fourtakas et
+//! al. 2019).
 use super::density::*;
 use super::external::*;
 use super::geometry::*;
@@ -12,6 +13,8 @@ pub const NO_DIFFUSION: u32 = 0;
 pub const PLAIN: u32 = 1;
 /// Diffusion of the density that is not due to the weight of the fluid (Fourtakas et al. 2019).
 pub const HYDROSTATIC: u32 = 2;
+/// Diffusion of the density that differs from a linear field (Antuono et al. 2010).
+pub const RENORMALISED: u32 = 3;
 
 /// Returns the difference of the density deviations of two particles, `e_b - e_a`, that the weight of the fluid between
 /// them causes: `g . (x_b - x_a) / c^2` (Fourtakas et al. 2019, eq. 15, to first order in the compression). `rest` is
@@ -26,6 +29,13 @@ pub fn hydrostatic_difference<R: Real>(
     rest: R,
 ) -> R {
     return -div(dot3(weight(m, p, u, rest), x_ab), sound * sound);
+}
+
+/// Returns the difference of the density deviations of two particles, `e_b - e_a`, in a linear field with the mean of
+/// their two renormalised gradients (Antuono et al. 2010, eq. 4).
+#[inline(always)]
+pub fn linear_difference<R: Real>(x_ab: vec3<R>, gradient_a: vec3<R>, gradient_b: vec3<R>) -> R {
+    return dot3(gradient_a + gradient_b, x_ab) * -0.5;
 }
 
 /// Returns the contribution of a neighbour to the diffusion of density, `2 delta h c sum m_b / rho0 (e_b - e_a) |grad

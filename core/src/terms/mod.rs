@@ -37,6 +37,8 @@ pub mod near;
 pub mod neighbour;
 pub mod pair;
 pub mod pressure;
+pub mod renormalisation;
+pub mod shifting;
 pub mod state;
 pub mod support;
 pub mod table;
@@ -47,7 +49,7 @@ pub mod wall;
 pub mod xsph;
 
 texts!(air boundary correction density diffusion elastic exchange external extrapolation geometry internal_energy near
-    neighbour pair pressure state
+    neighbour pair pressure renormalisation shifting state
     support table tension time_step viscosity wall xsph);
 
 /// Returns the name and text of every file of terms. The order is arbitrary, since WGSL does not depend on it.

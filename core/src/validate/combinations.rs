@@ -1,7 +1,7 @@
 //! Checks combinations of choices. The errors name both choices, the reason, and what to change.
 use super::bounds::{bounded, not_together, positive};
 use super::time::integrator;
-use super::traversal;
+use super::{shifting, traversal};
 use crate::derive::scales::Scales;
 use crate::error::{Field, SceneError};
 use crate::scene::{
@@ -30,6 +30,7 @@ pub(super) fn check(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
     air(scene, scales)?;
     integrator(scene)?;
     live(scene)?;
+    shifting::check(scene)?;
     traversal::check(scene)?;
     let model = &scene.model;
     let one_sided = matches!(model.pressure_force, PressureForce::Canonical | PressureForce::Difference);
@@ -151,6 +152,15 @@ fn pressure(scene: &Scene) -> Result<(), SceneError> {
             "a model.density other than Continuity or ContinuityAdapted",
             "a density that is summed anew in each step cannot diffuse; use model.density Continuity, or \
              density_diffusion Off",
+        ));
+    }
+    let renormalises = model.density_diffusion == DensityDiffusion::Renormalised;
+    if renormalises && !scene.walls.is_empty() && model.wall_pressure == WallPressure::Mirrored {
+        return Err(not_together(
+            "model.density_diffusion Renormalised",
+            "model.wall_pressure Mirrored",
+            "mirrored walls have no density from which a gradient could follow; use wall_pressure Extrapolated or \
+             Dynamic, or density_diffusion Hydrostatic",
         ));
     }
     if model.density == DensityForm::NumberDensity && model.initialize_hydrostatic {

@@ -8,6 +8,7 @@ mod combinations;
 mod ranges;
 mod scale;
 mod shapes;
+mod shifting;
 mod time;
 mod traversal;
 

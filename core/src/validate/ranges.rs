@@ -105,6 +105,10 @@ fn coefficients(model: &Formulation) -> Result<(), SceneError> {
     share("model.velocity_exchange", model.velocity_exchange)?;
     share("model.radial_exchange", model.radial_exchange)?;
     share("model.xsph", model.xsph)?;
+    share("model.shifting_coefficient", model.shifting_coefficient)?;
+    if let Some(speed) = model.shifting_speed {
+        positive("model.shifting_speed", speed)?;
+    }
     share("model.heat_gain", model.heat_gain)
 }
 

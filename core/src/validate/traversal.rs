@@ -1,7 +1,7 @@
 //! Rejects what the half stencil does not support.
 use super::bounds::not_together;
 use crate::error::SceneError;
-use crate::scene::{DensityForm, PressureForce, Scene, SurfaceTension, Traversal, Viscosity};
+use crate::scene::{DensityForm, PressureForce, Scene, Shifting, SurfaceTension, Traversal, Viscosity};
 
 /// Rejects scenes with the half stencil in which the contributions of a pair to its two particles differ, or in which
 /// another pass needs all neighbours of a particle.
@@ -44,6 +44,8 @@ pub(super) fn check(scene: &Scene) -> Result<(), SceneError> {
         (model.viscosity == Viscosity::VelocityExchange, "model.viscosity VelocityExchange", once),
         (model.radial_exchange != 0.0, "model.radial_exchange", once),
         (model.xsph != 0.0, "model.xsph", once),
+        (model.shifting != Shifting::Off, "model.shifting", once),
+        (model.tensile_control, "model.tensile_control", once),
         (scene.air.is_some(), "air", once),
     ];
     let first = refused.into_iter().find(|(is_asked, ..)| *is_asked);

@@ -17,6 +17,7 @@
 //! fluids at rest), `recipes` (choices of formulas) and `reference` (tables and series). Longer theory is in `ripple`
 //! and `swing`.
 mod air;
+mod bar;
 mod channel;
 mod column;
 mod dam_break_front;

@@ -1,7 +1,7 @@
 //! Choices of formulas for the studies. Every field is given here, so that studies do not change when defaults do.
 use millpond_core::scene::{
     Correction, DensityDiffusion, DensityForm, EquationOfState, Evaluation, Formulation, Integrator, Iteration, Kernel,
-    NearPressure, PressureForce, PressureSolver, SurfaceTension, Viscosity, WallPressure,
+    NearPressure, PressureForce, PressureSolver, Shifting, SurfaceTension, Viscosity, WallPressure,
 };
 
 /// Pirovano's choices for a single fluid.
@@ -30,6 +30,11 @@ pub(super) const PIROVANO: Formulation = Formulation {
     velocity_exchange: 0.0,
     radial_exchange: 0.0,
     xsph: 0.0,
+    shifting: Shifting::Off,
+    shifting_coefficient: 1.0,
+    shifting_speed: None,
+    shift_across_interfaces: false,
+    tensile_control: false,
     surface_tension: SurfaceTension::Off,
     surface_threshold: 0.1,
     surface_normals: false,
@@ -60,6 +65,9 @@ pub(super) const WATER: Formulation = Formulation {
     normalize_mass: true,
     ..WENDLAND
 };
+
+/// [`WATER`] that is stretched: particles are shifted to an even distribution, and do not attract each other.
+pub(super) const SHIFTED: Formulation = Formulation { shifting: Shifting::Fickian, tensile_control: true, ..WATER };
 
 /// [`WATER`] with a free surface that hardly shears: it starts at rest under its weight, its pressure is not negative,
 /// and a little artificial viscosity, whose coefficient a study sets, damps its sound.

@@ -1,8 +1,10 @@
 //! `tensile`: Pirovano test 1 (section 5.3.1). A cube of water without gravity, held together by its own negative
 //! pressure, becomes a sphere. Near pressure keeps its particles from clustering. Without near pressure they cluster.
+//!
+//! Then a bar of fluid that spins, with shifting and tensile control instead of near pressure: see [`bar`].
 use super::flow::{checked, fluid, grid, mean, start_with, step, steps_to};
 use super::recipes::PIROVANO;
-use super::{Context, Metric, Outcome};
+use super::{Context, Metric, Outcome, bar};
 use crate::failure::Failure;
 use crate::outcome::table;
 use glam::Vec3;
@@ -57,7 +59,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let thesis = evolve(context, NearPressure::DensityProportional, end)?;
     let off = evolve(context, NearPressure::Off, CLUSTER_END)?;
     let [before, after] = thesis.roundness;
-    let figures = vec![
+    let mut figures = vec![
         Metric::above("closest pair over spacing, with near pressure", thesis.closest, CLOSEST),
         Metric::below("closest pair over spacing, without near pressure", off.closest, CLOSEST),
         Metric::below("error of the mean density, with near pressure", thesis.density, DENSITY),
@@ -70,7 +72,10 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         lines.push(line(NearPressure::DoubleDensity, end, &evolve(context, NearPressure::DoubleDensity, end)));
     }
     let titles = ["near pressure", "end, s", "closest pair, spacings", "mean density error", "diagonals over axes"];
-    Ok(Outcome::new(NAME, figures, vec![table(titles, lines)]))
+    let (of_bar, bars) = bar::run(context)?;
+    figures.extend(of_bar);
+    let of_bars = ["width", "with", "kinetic energy", "angular momentum", "closest pair, spacings", "holes", "parts"];
+    Ok(Outcome::new(NAME, figures, vec![table(titles, lines), table(of_bars, bars)]))
 }
 
 fn line(near: NearPressure, end: f64, blob: &Result<Blob, Failure>) -> [String; 5] {
@@ -116,7 +121,7 @@ fn evolve(context: &Context, near_pressure: NearPressure, end: f64) -> Result<Bl
 }
 
 /// Returns the smallest distance between two particles, m.
-fn closest_pair(solver: &mut Solver<'_>) -> f64 {
+pub(super) fn closest_pair(solver: &mut Solver<'_>) -> f64 {
     let particles: Vec<Particle> = solver.particles().collect();
     let mut closest = f32::INFINITY;
     solver.neighbours().each_pair(|a, b| {

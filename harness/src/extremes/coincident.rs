@@ -3,8 +3,8 @@
 use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
 use millpond_core::scene::{
-    DensityForm, EquationOfState, Evaluation, InitialParticle, Kernel, NearPressure, PressureForce, PressureSolver,
-    Scene, SupportRange, SurfaceTension, Viscosity,
+    DensityDiffusion, DensityForm, EquationOfState, Evaluation, InitialParticle, Kernel, NearPressure, PressureForce,
+    PressureSolver, Scene, Shifting, SupportRange, SurfaceTension, Viscosity,
 };
 
 /// Number of steps, enough for most coincident particles to separate.
@@ -68,6 +68,13 @@ pub fn cases() -> Result<Vec<Case>, Failure> {
     }
     add("springs", &|s| s.fluids[0].elastic_stiffness = 100.0);
     add("XSPH", &|s| s.model.xsph = 0.5);
+    for shifting in [Shifting::Fickian, Shifting::TransportVelocity] {
+        add(&format!("shifting {shifting:?}, tensile control, renormalised diffusion"), &|s| {
+            (s.model.shifting, s.model.tensile_control) = (shifting, true);
+            (s.model.density, s.model.pressure_force) = (DensityForm::Continuity, PressureForce::Monaghan);
+            s.model.density_diffusion = DensityDiffusion::Renormalised;
+        });
+    }
     add("variable support", &|s| s.model.variable_support = Some(SupportRange { smallest: 0.5, largest: 2.0 }));
     Ok(cases)
 }

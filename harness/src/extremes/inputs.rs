@@ -4,8 +4,8 @@ use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
 use glam::Vec3;
 use millpond_core::scene::{
-    AccelerationField, AdaptiveTimeStep, Air, Fluid, Periodic, Plasticity, Scene, SupportRange, SurfaceTension, Wall,
-    WallShape, Wind,
+    AccelerationField, AdaptiveTimeStep, Air, Fluid, Formulation, Periodic, Plasticity, Scene, Shifting, SupportRange,
+    SurfaceTension, Wall, WallShape, Wind,
 };
 
 /// Number of particles of a case, and number of steps if it starts.
@@ -39,6 +39,8 @@ const NUMBERS: &[(&str, Number)] = &[
     ("model.velocity_exchange", |s| Some(&mut s.model.velocity_exchange)),
     ("model.radial_exchange", |s| Some(&mut s.model.radial_exchange)),
     ("model.xsph", |s| Some(&mut s.model.xsph)),
+    ("model.shifting_coefficient", |s| Some(&mut shifted(s).shifting_coefficient)),
+    ("model.shifting_speed", |s| Some(shifted(s).shifting_speed.get_or_insert(1.0))),
     ("fluids[0].near_stiffness", |s| Some(s.fluids[0].near_stiffness.get_or_insert(1.0))),
     ("model.heat_gain", |s| Some(&mut s.model.heat_gain)),
     ("fluids[0].internal_energy", |s| Some(&mut heated(s).internal_energy)),
@@ -135,6 +137,11 @@ fn pulled(scene: &mut Scene) -> &mut Fluid {
 fn heated(scene: &mut Scene) -> &mut Fluid {
     scene.model.internal_energy = true;
     &mut scene.fluids[0]
+}
+
+fn shifted(scene: &mut Scene) -> &mut Formulation {
+    scene.model.shifting = Shifting::Fickian;
+    &mut scene.model
 }
 
 fn other(scene: &mut Scene) -> Option<&mut Fluid> {

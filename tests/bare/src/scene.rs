@@ -2,7 +2,7 @@
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     Block, Container, Correction, DensityDiffusion, DensityForm, Dimension, EquationOfState, Evaluation, Fluid,
-    Formulation, Grid, Integrator, Iteration, Kernel, NearPressure, PressureForce, PressureSolver, Scene,
+    Formulation, Grid, Integrator, Iteration, Kernel, NearPressure, PressureForce, PressureSolver, Scene, Shifting,
     SurfaceTension, Viscosity, WallPressure,
 };
 
@@ -37,6 +37,11 @@ pub fn scene() -> Scene {
         velocity_exchange: 0.0,
         radial_exchange: 0.0,
         xsph: 0.0,
+        shifting: Shifting::Off,
+        shifting_coefficient: 1.0,
+        shifting_speed: None,
+        shift_across_interfaces: false,
+        tensile_control: false,
         surface_tension: SurfaceTension::Off,
         surface_threshold: 0.1,
         surface_normals: false,

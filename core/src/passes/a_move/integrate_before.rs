@@ -54,8 +54,8 @@ impl Work for &mut Job<'_> {
             let a = load(old.acceleration, first, last);
             let history = load_if_any(old.history, first, last);
             let mut place = moved(m, u, x, v, a, history);
-            if m.has_xsph == 1 {
-                place = drift(place, load(old.xsph_velocity, first, last), real(u.time_step));
+            if m.drifts() {
+                place = drift(place, load(old.drift_velocity, first, last), real(u.time_step));
             }
             if m.wall_particles != 0 || m.has_air == 1 {
                 place = only_if_free(m, x, place, row_of(m, &materials.properties, old.velocity, first, last, 1));

@@ -1,5 +1,5 @@
 //! Computes the density of each particle from its neighbours, and the pressures and volume that follow from it.
-use crate::arithmetic::lanes::{Lanes, Slots};
+use crate::arithmetic::lanes::{Lanes, Slots, xyz};
 use crate::arithmetic::real::{less, real, root, select, vec3};
 use crate::layout::f32x4;
 use crate::passes::by_model;
@@ -16,7 +16,10 @@ use crate::terms::density::{
     continuity_neighbour, continuity_slope, deviation_of_sum, deviation_rate, deviation_stepped, is_stepped,
     sums_walls, volume_by_number, volume_close,
 };
-use crate::terms::diffusion::{HYDROSTATIC, NO_DIFFUSION, diffusion_neighbour, hydrostatic_difference, if_diffusing};
+use crate::terms::diffusion::{
+    HYDROSTATIC, NO_DIFFUSION, RENORMALISED, diffusion_neighbour, hydrostatic_difference, if_diffusing,
+    linear_difference,
+};
 use crate::terms::geometry::dot3;
 use crate::terms::near::near_pressure_close;
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
@@ -28,7 +31,8 @@ use crate::terms::wall::{follows_fluid, mass_seen};
 pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (setup, executor) = (step.setup, step.executor);
     let (particles, cells) = (particles!(step but density), cells!(step));
-    let pass = Density { previous: step.scratch.previous_density_pressure };
+    let renormalised = &*step.scratch.renormalised_gradient;
+    let pass = Density { previous: step.scratch.previous_density_pressure, renormalised };
     let out = &mut *step.new.density_pressure;
     if setup.model.is_half_stencil == 1 {
         half_stencil::density::sum_once(setup, executor, particles, cells, out);
@@ -45,6 +49,8 @@ pub(crate) fn run(step: &mut Step<'_, '_>) {
 struct Density<'a> {
     /// Density and pressures before the step. Empty if the model does not need them.
     previous: &'a [f32x4],
+    /// Renormalised gradients of the density before the step. Empty if nothing needs them.
+    renormalised: &'a [f32x4],
 }
 
 /// The receivers, with the data that density needs.
@@ -62,6 +68,8 @@ struct Receivers<'a, R> {
 struct Diffusing<'a, R> {
     /// Density and pressures before the step. Empty if the model does not need them.
     previous: &'a [f32x4],
+    renormalised: &'a [f32x4],
+    gradient: vec3<R>,
     deviation: R,
     sound: R,
     fluid: R,
@@ -98,11 +106,15 @@ impl<R: Lanes> Receivers<'_, R> {
         let slope = continuity_slope(m, t, q, scale);
         let mut rate = continuity_neighbour(m, dot3(x_ab, v_ab), mass_b, q, slope, scale);
         if m.density_diffusion != NO_DIFFUSION {
-            let Diffusing { previous, deviation, sound, fluid } = self.diffusing;
+            let Diffusing { previous, renormalised, gradient, deviation, sound, fluid } = self.diffusing;
             let [deviation_b, ..] = R::gather(previous, slots);
             let mut difference = deviation_b - deviation;
             if m.density_diffusion == HYDROSTATIC {
                 difference = difference - hydrostatic_difference(m, p, u, x_ab, sound, self.rest);
+            }
+            if m.density_diffusion == RENORMALISED {
+                let gradient_b = xyz(R::gather(renormalised, slots));
+                difference = difference - linear_difference(x_ab, gradient, gradient_b);
             }
             let part = diffusion_neighbour(m, p, difference, sound, mass_b, q, slope, scale);
             rate = rate + if_diffusing(m, part, fluid, of_properties(3), of_properties(1));
@@ -129,14 +141,19 @@ impl PairPass for Density<'_> {
         let (position, velocity) = (vec3(x, y, z), vec3(vx, vy, vz));
         let support = particles.supports(setup, group.first, group.last);
         let (materials, columns) = (setup.materials, setup.columns);
+        let none = real(0.0);
+        let mut gradient = vec3(none, none, none);
         let diffusing = if m.density_diffusion == NO_DIFFUSION {
-            let none = real(0.0);
-            Diffusing { previous: &[], deviation: none, sound: none, fluid: none }
+            Diffusing { previous: &[], renormalised: &[], gradient, deviation: none, sound: none, fluid: none }
         } else {
             let [deviation, ..] = group.spread(self.previous);
             let sound = of_material(setup, &materials.states, &columns.states, material, 2);
             let fluid = of_material(setup, &materials.properties, &columns.properties, material, 3);
-            Diffusing { previous: self.previous, deviation, sound, fluid }
+            if m.density_diffusion == RENORMALISED {
+                gradient = xyz(group.spread(self.renormalised));
+            }
+            let renormalised = self.renormalised;
+            Diffusing { previous: self.previous, renormalised, gradient, deviation, sound, fluid }
         };
         let receivers = Receivers { setup, particles, position, velocity, support, rest, diffusing };
         let sums = fold!(group: R, |slots| receivers.add(slots));

@@ -14,6 +14,7 @@ use crate::terms::exchange::{exchange_close, exchange_neighbour, exchange_share}
 use crate::terms::external::external_close;
 use crate::terms::neighbour::{acceleration_close, force_neighbour};
 use crate::terms::pair::{Local, density_ratio};
+use crate::terms::shifting::pressure_without_tension;
 use crate::terms::wall::{EXTRAPOLATED, if_free};
 
 /// Fills the accelerations, or those without pressure where pressure is iterated.
@@ -28,14 +29,18 @@ pub(crate) fn run(step: &mut Step<'_, '_>) {
         half_stencil::force::sum_once(step.setup, step.executor, particles, cells, out);
         pairs::run(step.setup, step.executor, particles, cells, lists, &Summed, out);
     } else {
-        pairs::run(step.setup, step.executor, particles, cells, lists, &Force, out);
+        let pass = Force { renormalised: step.scratch.renormalised_gradient };
+        pairs::run(step.setup, step.executor, particles, cells, lists, &pass, out);
     }
 }
 
 /// Computes the acceleration of each particle.
-struct Force;
+struct Force<'a> {
+    /// w: lambda. Empty if nothing needs it.
+    renormalised: &'a [f32x4],
+}
 
-impl PairPass for Force {
+impl PairPass for Force<'_> {
     fn work(job: &mut Job<'_, Self>) {
         by_model::run(job);
     }
@@ -48,7 +53,11 @@ impl PairPass for Force {
             own.fill([0.0; 4]);
             return 0;
         }
-        let a = group.receivers::<R>();
+        let mut a = group.receivers::<R>();
+        if m.has_tensile_control == 1 {
+            let [.., lambda] = group.spread(self.renormalised);
+            a.pressure = pressure_without_tension(a.pressure, lambda);
+        }
         let none = real::<R>(0.0);
         let force = fold!(group: R, is zero with itself, |slots| {
             let vec3 { x, y, z } = force_neighbour(m, p, t, a, group.neighbours(slots));

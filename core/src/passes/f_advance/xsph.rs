@@ -1,4 +1,4 @@
-//! Computes the XSPH velocity: the velocity that each particle moves with in the next step, in addition to its own.
+//! Computes the XSPH velocity: a velocity that each particle moves with in the next step, in addition to its own.
 //! Runs only with XSPH.
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{real, vec3};
@@ -11,11 +11,11 @@ use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::wall::if_free;
 use crate::terms::xsph::{xsph_close, xsph_neighbour};
 
-/// Fills `xsph_velocity`.
+/// Fills `drift_velocity`.
 pub(crate) fn run(step: &mut Step<'_, '_>) {
     let (particles, cells, lists) = (particles!(step), cells!(step), lists!(step));
     let pass = Xsph { predicted_velocity: step.scratch.end_velocity };
-    pairs::run(step.setup, step.executor, particles, cells, lists, &pass, step.new.xsph_velocity);
+    pairs::run(step.setup, step.executor, particles, cells, lists, &pass, step.new.drift_velocity);
 }
 
 /// Computes XSPH velocities from the velocities at the end of the step.

@@ -50,6 +50,10 @@ fn pass_body(a: u32) {
             if m.density_diffusion == HYDROSTATIC {
               difference = difference - hydrostatic_difference(x_mid, sound, own_properties.z);
             }
+            if m.density_diffusion == RENORMALISED {
+              difference = difference
+                - linear_difference(x_mid, renormalised_gradient[a].xyz, renormalised_gradient[b].xyz);
+            }
             let properties_b = properties_of(new_velocity[b].w);
             let part = diffusion_neighbour(difference, sound, mass_b, q, slope, scale);
             rate = rate + if_diffusing(part, own_properties.w, properties_b.w, properties_b.y);

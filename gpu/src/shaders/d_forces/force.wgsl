@@ -10,7 +10,10 @@ fn seen(j: u32) -> Local {
 
 fn pass_body(i: u32) {
   if i >= p.particle_count || head.status.failed != 0u { return; }
-  let a = local(i);
+  var a = local(i);
+  if m.has_tensile_control == 1u {
+    a.pressure = pressure_without_tension(a.pressure, renormalised_gradient[i].w);
+  }
   if a.wall > 0.0f {
     force_out[i] = vec4(0.0f, 0.0f, 0.0f, 0.0f);
     return;

@@ -1,4 +1,4 @@
-// Computes the XSPH velocity: the velocity that each particle moves with in the next step, in addition to its own.
+// Computes the XSPH velocity: a velocity that each particle moves with in the next step, in addition to its own.
 fn at_step(i: u32) -> Local {
   var a = local(i);
   a.velocity = end_velocity[i].xyz;
@@ -9,7 +9,7 @@ fn pass_body(i: u32) {
   if i >= p.particle_count || head.status.failed != 0u { return; }
   let a = at_step(i);
   if a.wall > 0.0f {
-    new_xsph_velocity[i] = vec4(0.0f, 0.0f, 0.0f, 0.0f);
+    new_drift_velocity[i] = vec4(0.0f, 0.0f, 0.0f, 0.0f);
     return;
   }
   let own = cell_of(a.position);
@@ -22,5 +22,5 @@ fn pass_body(i: u32) {
       if is_near(a, b) { sum = sum + xsph_neighbour(a, b); }
     }
   }
-  new_xsph_velocity[i] = vec4(xsph_close(sum), 0.0f);
+  new_drift_velocity[i] = vec4(xsph_close(sum), 0.0f);
 }

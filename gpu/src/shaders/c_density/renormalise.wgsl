@@ -1,0 +1,47 @@
+// Computes the renormalised gradient of the density before the step, and the smallest eigenvalue lambda of the inverse
+// of the matrix that renormalises.
+fn before(i: u32) -> Local {
+  let x = new_position[i];
+  let v = new_velocity[i];
+  let state = previous_density_pressure[i];
+  let own = properties_of(v.w);
+  var support = 1.0f;
+  if m.has_variable_support == 1u { support = support_ratio[i]; }
+  return Local(x.xyz, v.xyz, support, x.w, state.x, state.y, state.z, state.w,
+    own.x, own.y, own.z, own.w, 0.0f, 0.0f, 0.0f);
+}
+
+fn pass_body(i: u32) {
+  if i >= p.particle_count || head.status.failed != 0u { return; }
+  let a = before(i);
+  if a.wall > 0.0f {
+    renormalised_gradient[i] = vec4(0.0f, 0.0f, 0.0f, 0.0f);
+    return;
+  }
+  let own = cell_of(a.position);
+  var diagonal = vec3(0.0f, 0.0f, 0.0f);
+  var mixed = vec3(0.0f, 0.0f, 0.0f);
+  var sum = vec3(0.0f, 0.0f, 0.0f);
+  for (var i = 0u; i < stencil_cells(); i += 1u) {
+    let c = stencil_cell(own, i);
+    let end = cell_start[c] + head.counter[c];
+    for (var j = cell_start[c]; j < end; j += 1u) {
+      let b = before(j);
+      let x_ab = separation(a.position, b.position);
+      if less(squared_ratio(x_ab, pair_scale(a.support, b.support)), 1.0f) {
+        let weight = gradient_weight(a, b, x_ab);
+        diagonal = diagonal + inverse_diagonal(x_ab, weight);
+        mixed = mixed + inverse_mixed(x_ab, weight);
+        if m.density_diffusion == RENORMALISED { sum = sum + deviation_gradient(a, b, x_ab, weight); }
+      }
+    }
+  }
+  if m.is_3d == 0u {
+    diagonal = vec3(diagonal.x, diagonal.y, 0.0f);
+    mixed = vec3(mixed.x, 0.0f, 0.0f);
+  }
+  let lambda = smallest_eigenvalue(diagonal, mixed);
+  var gradient = vec3(0.0f, 0.0f, 0.0f);
+  if m.density_diffusion == RENORMALISED { gradient = renormalised(diagonal, mixed, lambda, sum); }
+  renormalised_gradient[i] = vec4(flush3(gradient), flush(lambda));
+}
