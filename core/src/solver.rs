@@ -122,7 +122,7 @@ impl<'m> Solver<'m> {
             requirements,
             memory,
         };
-        fill_tables(&scene.model, scene.dimension.count(), solver.memory.given.kernel_tables);
+        fill_tables(scene, solver.memory.given.kernel_tables);
         solver.memory.given.acceleration_field.fill([0.0; 4]);
         solver.fill(scene, particles)?;
         solver.evaluate(None)?;

@@ -92,7 +92,7 @@ impl Buffers {
         let counters = cells + cell_blocks(cells as u32) as usize;
         let head = storage.allocate("head", size_of::<Status>() + counters * size_of::<u32>())?;
         gpu.queue.write_buffer(&head, 0, bytemuck::bytes_of(&status));
-        let mut tables = [0; TABLE_WORDS];
+        let mut tables = vec![0; TABLE_WORDS];
         let own = solver.words(Array::kernel_tables);
         tables[..own.len()].copy_from_slice(own);
         let stride = UNIFORM_STRIDE as usize / size_of::<u32>();

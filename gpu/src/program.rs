@@ -61,7 +61,9 @@ pub fn library(model: &Model, intrinsics: Intrinsics) -> String {
 /// Returns the intrinsics, the constants of the scene and its choices.
 fn head(model: &Model, intrinsics: Intrinsics) -> String {
     let mut out = intrinsics.prelude();
-    out += &format!("alias Planes = array<f32x4, {PLANES}>;\nalias MaterialRows = array<f32x4, {MATERIALS}>;\n");
+    out += &format!(
+        "const PLANES: u32 = {PLANES}u;\nalias Planes = array<f32x4, {PLANES}>;\nalias MaterialRows = array<f32x4, {MATERIALS}>;\n"
+    );
     out +=
         &format!("const QUANTITIES_OF_ID: u32 = {QUANTITIES_OF_ID}u;\nconst MOST_ATTEMPTS: u32 = {MOST_ATTEMPTS}u;\n");
     out += &format!("const MATERIALS: u32 = {MATERIALS}u;\nconst TABLE_ENTRIES: u32 = {TABLE_ENTRIES}u;\n");
@@ -86,6 +88,9 @@ pub fn program(pass: Pass, model: &Model, intrinsics: Intrinsics) -> String {
     out += include_str!("shaders/grid.wgsl");
     if reads_pairs(pass) {
         out += include_str!("shaders/local.wgsl");
+    }
+    if ["of_pressure(", "of_density("].iter().any(|function| loop_text(pass).contains(function)) {
+        out += include_str!("shaders/beyond.wgsl");
     }
     if pass.bindings().iter().any(|binding| binding.array == Array::acceleration_field) {
         out += include_str!("shaders/field.wgsl");

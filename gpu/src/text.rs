@@ -22,7 +22,9 @@ pub fn wgsl_of(rust: &str) -> String {
             continue;
         }
         let mut code = code.replacen("pub ", "", 1);
-        for (rust, wgsl) in [("<R: Real>", ""), ("Local<R>", "Local"), ("Stiffness<R>", "Stiffness")] {
+        for (rust, wgsl) in
+            [("<R: Real>", ""), ("Local<R>", "Local"), ("Stiffness<R>", "Stiffness"), ("Beyond<R>", "Beyond")]
+        {
             code = code.replace(rust, wgsl);
         }
         // a function without any other argument

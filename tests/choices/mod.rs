@@ -1,6 +1,7 @@
 //! Every choice that a scene can make, one at a time against the defaults. The scenes are made from the lists of the
 //! choices themselves.
 #![allow(unreachable_pub, reason = "a module of a test")]
+mod closed_walls;
 mod fluids;
 mod formulas;
 mod plainest;
@@ -29,5 +30,6 @@ pub fn choices(base: &Scene) -> Vec<(String, Scene)> {
     time::time(&mut add);
     fluids::fluids(&mut add);
     surroundings::surroundings(&mut add);
+    closed_walls::closed_walls(&mut add);
     all
 }

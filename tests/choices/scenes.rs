@@ -1,6 +1,9 @@
 //! The scene against which choices are made, and features that several choices need to have an effect.
 use millpond_core::glam::Vec3;
-use millpond_core::scene::{Block, Container, Dimension, Face, Fluid, Grid, Scene, SurfaceTension, Wall, WallShape};
+use millpond_core::scene::{
+    Block, Container, Dimension, Face, Fluid, Grid, NearPressure, PlaneModel, Scene, Sliding, SurfaceTension, Wall,
+    WallShape,
+};
 
 /// Returns a scene in which every choice has an effect: two blocks that collide above a floor, with gravity.
 pub fn base(dimension: Dimension) -> Scene {
@@ -39,6 +42,16 @@ pub fn pulled(s: &mut Scene) {
         SurfaceTension::Attraction | SurfaceTension::GradientSum => 2.0,
     };
     s.fluids.iter_mut().for_each(|fluid| fluid.surface_tension = tension);
+}
+
+/// Makes the container a wall in closed form, whose floor slides along x.
+pub fn closed(s: &mut Scene) {
+    s.model.near_pressure = NearPressure::Off;
+    if let Some(container) = &mut s.container {
+        (container.model, container.dynamic_viscosity) = (PlaneModel::ClosedForm, Some(1.0));
+        let velocity = Vec3::new(0.5, 0.0, 0.0);
+        container.sliding = [Sliding { face: Face::Floor, velocity }].into_iter().collect();
+    }
 }
 
 /// Adds walls of particles: a box that is open above and whose surfaces slide along x.

@@ -10,7 +10,7 @@ use crate::scene::{DensityForm, Fluid, Iteration, NearPressure, Scene};
 pub(super) const CORRECTION_SOURCE: f32 = 0.1;
 
 /// Stored as the viscosity of a wall that takes the viscosity of the particle.
-const VISCOSITY_OF_PARTICLE: f32 = -1.0;
+pub(super) const VISCOSITY_OF_PARTICLE: f32 = -1.0;
 
 /// The constants of all materials; `mass` is the mass of a particle of the first fluid at rest, kg.
 pub(super) fn materials(scene: &Scene, fluids: &[FluidConstants], mass: f64, support: f64) -> Materials {

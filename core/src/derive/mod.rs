@@ -17,6 +17,7 @@ pub(crate) mod lattice_sums;
 pub(crate) mod material;
 mod materials;
 mod parameters;
+pub mod plane_integrals;
 pub(crate) mod recommended_step;
 pub(crate) mod sampling;
 pub(crate) mod scales;

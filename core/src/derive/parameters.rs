@@ -2,12 +2,13 @@
 use super::counts::{Counts, field_counts};
 use super::domain::Axes;
 use super::kernel_constants::{laplacian, near_slope_constant, power, value};
-use super::materials::CORRECTION_SOURCE;
+use super::materials::{CORRECTION_SOURCE, VISCOSITY_OF_PARTICLE};
 use super::scales::Scales;
 use super::step_limits::StepLimits;
 use crate::layout::{PLANES, Parameters, Planes, StepUniform};
-use crate::scene::{FACES, Face, NearPressure, Scene, Shifting, SupportRange, Viscosity};
+use crate::scene::{Elasticity, FACES, Face, NearPressure, Scene, Shifting, SupportRange, Viscosity};
 use bytemuck::Zeroable;
+use glam::Vec3;
 
 const _: () = assert!(PLANES == FACES, "a plane for each face of a container");
 
@@ -52,13 +53,12 @@ pub(super) fn parameters(
         Shifting::Fickian => support,
         Shifting::TransportVelocity => 1.0,
     };
-    let elasticity = &scene.elasticity;
+    let Elasticity { plasticity, break_at, .. } = scene.elasticity;
     let air = scene.air.as_ref();
-    let plasticity = elasticity.plasticity;
     let exchanged = model.viscosity == Viscosity::VelocityExchange;
     let container = scene.container.as_ref();
     let field = scene.acceleration_field.map_or([0.0; 4], |f| [f.low[0], f.low[1], f.low[2], 1.0 / f.spacing]);
-    let (planes, plane_count) = planes(scene);
+    let (planes, plane_velocities, plane_count) = planes(scene);
     let adaptive = scene.changing_step().unwrap_or_default();
     let limits = StepLimits::of(scene, &adaptive, scales, kinematic_viscosity);
     let Axes { cells, inverse_cell, domain_low, period, half_period, inverse_period } = Axes::of(scene, scales, cells);
@@ -72,6 +72,7 @@ pub(super) fn parameters(
         field_low: field,
         field_counts: field_counts(scene),
         planes,
+        plane_velocities,
         particle_count: counts.all() as u32,
         plane_count,
         inverse_support: (1.0 / support) as f32,
@@ -97,7 +98,7 @@ pub(super) fn parameters(
         surface_directions: d as f32 - 1.0,
         yield_strain: plasticity.map_or(0.0, |plasticity| plasticity.yield_strain),
         plastic_rate: plasticity.map_or(0.0, |plasticity| plasticity.rate),
-        breaking_stretch: elasticity.break_at.map_or(f32::MAX, |stretch| 1.0 + stretch),
+        breaking_stretch: break_at.map_or(f32::MAX, |stretch| 1.0 + stretch),
         correction_source: CORRECTION_SOURCE,
         tolerance: model.correction.tolerance,
         tait_exponent: model.tait_exponent as f32,
@@ -132,7 +133,7 @@ pub(super) fn parameters(
         largest_time_step: adaptive.largest,
         max_time_step_growth: adaptive.max_growth,
         reject_ratio: adaptive.reject_ratio.unwrap_or(0.0),
-        unused: 0.0,
+        closed_planes: if scene.has_closed_walls() { plane_count } else { 0 },
     }
 }
 
@@ -149,9 +150,9 @@ pub(super) fn step_uniform(scene: &Scene) -> StepUniform {
     StepUniform { gravity: [gx, gy, gz, 0.0], wind, ..Zeroable::zeroed() }.with_time_step(scene.time_step)
 }
 
-/// The penalty planes of the container: inward normals and offsets, and their number.
-fn planes(scene: &Scene) -> (Planes, u32) {
-    let mut planes = [[0.0; 4]; PLANES];
+/// The planes of the container: inward normals and offsets, velocities and viscosities, and their number.
+fn planes(scene: &Scene) -> (Planes, Planes, u32) {
+    let (mut planes, mut velocities) = ([[0.0; 4]; PLANES], [[0.0; 4]; PLANES]);
     let mut count = 0;
     if let Some(container) = &scene.container {
         let closed = |face: &&Face| scene.is_closed(container, **face);
@@ -160,8 +161,11 @@ fn planes(scene: &Scene) -> (Planes, u32) {
             let (sign, at) = if face.is_high() { (-1.0, container.high[axis]) } else { (1.0, container.low[axis]) };
             planes[count][axis] = sign;
             planes[count][3] = sign * at;
+            let sliding = container.sliding.iter().find(|sliding| sliding.face == *face);
+            let [x, y, z] = sliding.map_or(Vec3::ZERO, |sliding| sliding.velocity).to_array();
+            velocities[count] = [x, y, z, container.dynamic_viscosity.unwrap_or(VISCOSITY_OF_PARTICLE)];
             count += 1;
         }
     }
-    (planes, count as u32)
+    (planes, velocities, count as u32)
 }

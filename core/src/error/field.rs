@@ -17,8 +17,8 @@ pub struct Field {
 }
 
 impl Field {
-    /// Returns the path of a field of one item of a list. The first of the `names` is that of the list, and items are
-    /// counted from 0.
+    /// Returns the path of a field of one item of a list. The first of the `names` is that of the list, or that before
+    /// `[]`, and items are counted from 0.
     #[must_use]
     pub const fn of_item(names: &'static str, item: usize) -> Field {
         Field { names, item: Some(item) }
@@ -33,6 +33,9 @@ impl From<&'static str> for Field {
 
 impl fmt::Display for Field {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let (Some(item), Some((list, rest))) = (self.item, self.names.split_once("[]")) {
+            return write!(f, "{list}[{item}]{rest}");
+        }
         match (self.item, self.names.split_once('.')) {
             (None, _) => f.write_str(self.names),
             (Some(item), None) => write!(f, "{}[{item}]", self.names),

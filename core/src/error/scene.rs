@@ -65,6 +65,15 @@ pub enum SceneError {
         /// Coordinate of the high corner, m.
         high: f32,
     },
+    /// The container is so narrow along an axis that a particle would feel two opposite walls in closed form at once.
+    NarrowContainer {
+        /// The axis.
+        axis: Axis,
+        /// Its width along the axis, m.
+        width: f32,
+        /// Smallest allowed width, m: two support radii.
+        least: f32,
+    },
     /// A scene in 2D has gravity, a velocity or a position with a z component, or a wall perpendicular to z.
     OutOfPlane,
     /// A block is smaller than half a particle spacing along an axis, so it would have no particles.
@@ -258,6 +267,14 @@ impl fmt::Display for SceneError {
             }
             SceneError::EmptyContainer { axis, low, high } => {
                 write!(f, "container.low {low} m is not below container.high {high} m along {axis}")
+            }
+            SceneError::NarrowContainer { axis, width, least } => {
+                write!(
+                    f,
+                    "container is {width} m wide along {axis}, but with container.model ClosedForm it must be at least \
+                     {least} m wide, two support radii; make it wider, use a smaller particle_spacing, or use walls of \
+                     particles"
+                )
             }
             SceneError::OutOfPlane => write!(f, "dimension is 2D: gravity, positions, velocities, normals need z = 0"),
             SceneError::EmptyBlock { block, axis, size } => {

@@ -27,6 +27,9 @@ shared! {
         pub field_counts: u32x4,
         /// Penalty planes: inward unit normal, and offset along the normal in m.
         pub planes: Planes,
+        /// Velocities with which the planes slide, m/s; w: dynamic viscosity at the plane in Pa s, negative for that of
+        /// the particle.
+        pub plane_velocities: Planes,
         /// Number of all particles.
         pub particle_count: u32,
         /// Number of penalty planes in use.
@@ -150,8 +153,8 @@ shared! {
         /// A step is rejected and repeated if it was longer than this many times the step that the state at its end
         /// asks for; 0: never.
         pub reject_ratio: f32,
-        /// Unused: in WGSL the size of the struct is a multiple of 16 bytes.
-        pub unused: f32,
+        /// Number of planes that are walls in closed form: all or none.
+        pub closed_planes: u32,
     }
 }
 

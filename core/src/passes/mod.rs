@@ -26,6 +26,7 @@
 //! - exposed particle: a liquid particle at the free surface.
 //! - inactive particle: an air particle that is currently unused. Inactive particles have no effect, and all of them
 //!   lie in the last cell.
+pub(crate) mod beyond;
 mod by_model;
 mod candidates;
 pub(crate) mod columns;

@@ -111,8 +111,9 @@ macro_rules! with_arrays {
                 /// By id: first of a particle's spring ends, their number, and `k / (2 m)` in 1/s2 as the bits of an
                 /// f32; w unused. Only with elastic fluids.
                 spring_ranges: u32x4 per Particle, if |m| m.has_springs == 1;
-                /// Tables of kernels, one after the other. Only if kernels are read from tables.
-                kernel_tables: f32 per TableWord, if |m| m.reads_tables();
+                /// Tables of kernels and of what of them lies beyond a plane, one after the other. Only if kernels are
+                /// read from tables, and with walls in closed form.
+                kernel_tables: f32 per TableWord, if |m| m.has_tables();
                 /// Nodes of the acceleration field supplied by the caller, m/s2, x fastest; w unused. Only in scenes
                 /// with such a field.
                 acceleration_field: f32x4 per FieldPoint, if |m| m.has_acceleration_field == 1;

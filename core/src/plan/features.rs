@@ -46,8 +46,8 @@ impl Model {
         self.has_container == 1 || !knows_velocity(self)
     }
 
-    /// Returns whether density depends only on the distances to the neighbours, and not on their properties, and no pass
-    /// before it needs the neighbours.
+    /// Returns whether density depends only on the distances to the neighbours, and not on their properties, and no
+    /// pass before it needs the neighbours.
     #[must_use]
     pub fn sums_distances(&self) -> bool {
         !is_stepped(self) && !counts_masses(self) && self.has_variable_support == 0 && !self.renormalises()
@@ -63,6 +63,12 @@ impl Model {
     #[must_use]
     pub fn reads_tables(&self) -> bool {
         self.evaluation != DIRECT
+    }
+
+    /// Returns whether a step needs tables: of kernels, or of what lies beyond walls in closed form.
+    #[must_use]
+    pub fn has_tables(&self) -> bool {
+        self.reads_tables() || self.has_closed_walls == 1
     }
 
     /// The same model with the simplest integrator, for a step that only evaluates the forces.

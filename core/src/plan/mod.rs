@@ -41,7 +41,8 @@ impl Plan {
         let choice = &scene.model;
         let shears = choice.viscosity == Viscosity::VelocityExchange && choice.velocity_exchange != 0.0;
         let viscous = scene.blocks.iter().any(|b| b.dynamic_viscosity.is_some_and(|mu| mu != 0.0))
-            || scene.walls.iter().any(|w| w.dynamic_viscosity.is_some_and(|mu| mu != 0.0));
+            || scene.walls.iter().any(|w| w.dynamic_viscosity.is_some_and(|mu| mu != 0.0))
+            || scene.container.iter().any(|c| c.dynamic_viscosity.is_some_and(|mu| mu != 0.0));
         let drags = match choice.viscosity {
             Viscosity::Artificial => choice.alpha != 0.0 || choice.beta != 0.0,
             Viscosity::VelocityExchange => false,
@@ -130,6 +131,7 @@ impl Plan {
                 has_container: 1,
                 has_conserving_reflection: scene.container.as_ref().map_or(Reflection::default(), |c| c.reflection)
                     as u32,
+                has_closed_walls: u32::from(scene.has_closed_walls()),
                 wall_particles: choice.wall_pressure as u32,
                 is_periodic: u32::from(scene.periodic_axes().next().is_some()),
                 // kernel tables are made for a single support, and the half stencil searches with a single support

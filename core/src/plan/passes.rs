@@ -94,7 +94,7 @@ macro_rules! with_passes {
             /// Adds the acceleration by pressure (with pressure correction; runs once more than the next two passes).
             PressureForce: e_pressure / pressure_force, particles, reads, if |m| m.corrects_pressure(), [
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read support_ratio,
-                read non_pressure_acceleration, write acceleration@new];
+                read acceleration_field, read non_pressure_acceleration, write acceleration@new];
             /// Corrects the pressures by the error of the density that they would lead to (with pressure correction).
             PressureCorrect: e_pressure / pressure_correct, particles, counts, if |m| m.corrects_pressure(), [
                 read cell_start, read position@new, read velocity@new, read acceleration@new, read support_ratio,

@@ -105,8 +105,8 @@ choice! {
 }
 
 choice! {
-    /// Shifting: a velocity with which particles move in addition to their own, so that they stay evenly distributed. It
-    /// fills the gaps that open where a fluid is stretched, and changes no momentum.
+    /// Shifting: a velocity with which particles move in addition to their own, so that they stay evenly distributed.
+    /// It fills the gaps that open where a fluid is stretched, and changes no momentum.
     #[derive(Default)]
     pub enum Shifting {
         /// No shifting (default).
@@ -374,6 +374,20 @@ pub enum Reflection {
     /// (Kelager 2006; Pirovano, figure 3.8). This keeps a reflection from adding energy (default).
     #[default]
     EnergyConserving = 1,
+}
+
+/// How the fluid feels the planes of a container.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[repr(u32)]
+pub enum PlaneModel {
+    /// Not before a particle is behind a plane (default). Sums near a plane miss what lies beyond it.
+    #[default]
+    Penalty = 0,
+    /// As a wall in closed form: the part of the kernel that lies beyond the planes completes density, pressure force
+    /// and friction, as if the fluid went on there with the pressure that its weight gives it (Kulasegaram et al. 2004;
+    /// Ferrand et al. 2013). It needs no wall particles.
+    ClosedForm = 1,
 }
 
 /// Number of faces of a box.

@@ -19,15 +19,15 @@ pub use adjustable::Adjustable;
 pub use air::Air;
 pub use choice::{
     DensityDiffusion, DensityForm, Dimension, EquationOfState, Evaluation, FACES, Face, GridStructure, Integrator,
-    Iteration, Kernel, NearPressure, PressureForce, PressureSolver, Reflection, Shifting, SurfaceTension, Traversal,
-    Viscosity, WallPressure,
+    Iteration, Kernel, NearPressure, PlaneModel, PressureForce, PressureSolver, Reflection, Shifting, SurfaceTension,
+    Traversal, Viscosity, WallPressure,
 };
 pub use elasticity::{Elasticity, Plasticity};
 pub use fluid::{Block, FLUIDS, Fluid};
 pub use initial::InitialParticle;
 pub use model::{Correction, Formulation, SupportRange};
 pub use recovery::Recovery;
-pub use surroundings::{AccelerationField, Container, Grid, Periodic, WALLS, Wall, WallShape, Wind};
+pub use surroundings::{AccelerationField, Container, Grid, Periodic, Sliding, WALLS, Wall, WallShape, Wind};
 pub use time::AdaptiveTimeStep;
 
 use crate::error::SceneError;
@@ -216,6 +216,11 @@ impl Scene {
         axis < self.dimension.count()
             && !container.open.contains(&face)
             && !self.periodic_axes().any(|round| round == axis)
+    }
+
+    /// Returns whether the planes of the container are walls in closed form.
+    pub(crate) fn has_closed_walls(&self) -> bool {
+        self.container.as_ref().is_some_and(|container| container.model == PlaneModel::ClosedForm)
     }
 
     /// Largest number of particles in the layer of air. They have the last ids.

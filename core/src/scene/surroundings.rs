@@ -1,13 +1,14 @@
 //! Container, walls, periodic domain, wind and acceleration field of a scene, and the grid of its neighbour search.
-use super::choice::{FACES, Face, GridStructure, Reflection, Traversal};
+use super::choice::{FACES, Face, GridStructure, PlaneModel, Reflection, Traversal};
 use glam::Vec3;
 use heapless::Vec;
 
 /// Largest number of walls in a scene.
 pub const WALLS: usize = 8;
 
-/// A box of penalty planes (Pirovano, section 3.5.1): a particle found behind a plane is put back onto it, and its
-/// velocity is reflected. There are no planes along a periodic axis, and in 2D none along z.
+/// A box of planes. A particle found behind a plane is put back onto it, and its velocity is reflected (penalty planes;
+/// Pirovano, section 3.5.1). With [`PlaneModel::ClosedForm`] the fluid also feels the planes before it comes to them.
+/// There are no planes along a periodic axis, and in 2D none along z.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Container {
@@ -29,6 +30,28 @@ pub struct Container {
     /// Faces without a plane, such as the lid (Pirovano's direction control; default none).
     #[cfg_attr(feature = "serde", serde(default))]
     pub open: Vec<Face, FACES>,
+    /// How the fluid feels the planes before it comes to them (default not at all).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub model: PlaneModel,
+    /// Dynamic viscosity between a plane and a fluid particle, Pa s, 0 or more (default `None`: that of the fluid
+    /// particle, which means no slip; 0 means free slip). Only with [`PlaneModel::ClosedForm`]. With
+    /// [`Viscosity::Artificial`](super::Viscosity::Artificial) and
+    /// [`Viscosity::VelocityExchange`](super::Viscosity::VelocityExchange) the planes have free slip.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub dynamic_viscosity: Option<f32>,
+    /// Faces that slide, as if they were endless conveyor belts (default none). Only with [`PlaneModel::ClosedForm`].
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub sliding: Vec<Sliding, FACES>,
+}
+
+/// A face of the container that slides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub struct Sliding {
+    /// The face.
+    pub face: Face,
+    /// Its velocity, m/s. The component along the normal of the face must be 0.
+    pub velocity: Vec3,
 }
 
 #[cfg(feature = "serde")]
@@ -41,7 +64,17 @@ impl Container {
     #[must_use]
     pub fn closed(low: impl Into<Vec3>, high: impl Into<Vec3>) -> Container {
         let (low, high) = (low.into(), high.into());
-        Container { low, high, restitution: 0.0, slip: 1.0, reflection: Reflection::default(), open: Vec::new() }
+        Container {
+            low,
+            high,
+            restitution: 0.0,
+            slip: 1.0,
+            reflection: Reflection::default(),
+            open: Vec::new(),
+            model: PlaneModel::default(),
+            dynamic_viscosity: None,
+            sliding: Vec::new(),
+        }
     }
 }
 
@@ -59,8 +92,8 @@ pub struct Wall {
     pub velocity: Vec3,
     /// Index of the fluid whose density the wall particles have (default 0). It matters with
     /// [`WallPressure::Dynamic`](super::WallPressure::Dynamic); with
-    /// [`WallPressure::Extrapolated`](super::WallPressure::Extrapolated) its equation of state turns the pressure of the
-    /// wall into a density.
+    /// [`WallPressure::Extrapolated`](super::WallPressure::Extrapolated) its equation of state turns the pressure of
+    /// the wall into a density.
     #[cfg_attr(feature = "serde", serde(default))]
     pub fluid: u32,
     /// Dynamic viscosity between the wall and a fluid particle, Pa s, 0 or more (default `None`: that of the fluid

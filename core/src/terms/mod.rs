@@ -21,6 +21,7 @@ macro_rules! texts {
 }
 
 pub mod air;
+pub mod beyond;
 pub mod boundary;
 pub mod correction;
 pub mod density;
@@ -48,7 +49,7 @@ pub mod viscosity;
 pub mod wall;
 pub mod xsph;
 
-texts!(air boundary correction density diffusion elastic exchange external extrapolation geometry internal_energy near
+texts!(air beyond boundary correction density diffusion elastic exchange external extrapolation geometry internal_energy near
     neighbour pair pressure renormalisation shifting state
     support table tension time_step viscosity wall xsph);
 

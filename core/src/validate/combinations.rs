@@ -1,7 +1,7 @@
 //! Checks combinations of choices. The errors name both choices, the reason, and what to change.
 use super::bounds::{bounded, not_together, positive};
 use super::time::integrator;
-use super::{shifting, traversal};
+use super::{closed_walls, shifting, traversal};
 use crate::derive::scales::Scales;
 use crate::error::{Field, SceneError};
 use crate::scene::{
@@ -31,6 +31,7 @@ pub(super) fn check(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
     integrator(scene)?;
     live(scene)?;
     shifting::check(scene)?;
+    closed_walls::check(scene, scales)?;
     traversal::check(scene)?;
     let model = &scene.model;
     let one_sided = matches!(model.pressure_force, PressureForce::Canonical | PressureForce::Difference);

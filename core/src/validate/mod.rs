@@ -4,6 +4,7 @@
 //! then positions and extents, then combinations of choices, then derived constants that f32 cannot represent.
 mod bounds;
 mod checked;
+mod closed_walls;
 mod combinations;
 mod ranges;
 mod scale;

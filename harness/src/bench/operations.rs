@@ -158,7 +158,7 @@ fn squared_distance(m: &Model, p: &Parameters, a: Local<Counted>, b: Local<Count
 /// Operations to add a neighbour to the density of a particle. If density depends on the distance only, the squared
 /// distance is known from the test and is not counted again.
 pub(super) fn of_density(m: &Model, p: &Parameters) -> u64 {
-    let (tables, [a, b]) = (&[0.0; TABLE_WORDS], pair(p));
+    let (tables, [a, b]) = (&vec![0.0; TABLE_WORDS][..], pair(p));
     counted(|| {
         let one = real::<Counted>(1.0);
         let (q2, mass_b) = if m.sums_distances() {
@@ -184,7 +184,7 @@ pub(super) fn of_density(m: &Model, p: &Parameters) -> u64 {
 
 /// Operations to add the force of a neighbour to that of a particle.
 pub(super) fn of_force(m: &Model, p: &Parameters) -> u64 {
-    let (tables, [a, b]) = (&[0.0; TABLE_WORDS], pair(p));
+    let (tables, [a, b]) = (&vec![0.0; TABLE_WORDS][..], pair(p));
     counted(|| vec3(Counted(0.0), Counted(0.0), Counted(0.0)) + force_neighbour(m, p, tables, a, b))
 }
 

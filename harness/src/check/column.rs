@@ -1,11 +1,12 @@
-//! A tank of water at rest in two dimensions, with walls of particles, open at the top. It is used by the studies
+//! A tank of water at rest in two dimensions, open at the top. It is used by the studies
 //! `hydrostatic`, `still-tank` and `pressure-correction`.
+use super::enclosure::Enclosure;
 use super::flow::{fluid, grid, mean};
 use super::recipes::WENDLAND;
 use glam::Vec3;
 use millpond_core::Solver;
 use millpond_core::backend::derive::support_radius;
-use millpond_core::scene::{Block, Dimension, Face, Fluid, Formulation, Kernel, Scene, Wall, WallShape};
+use millpond_core::scene::{Block, Dimension, Face, Fluid, Formulation, Kernel, Scene, WallPressure};
 
 /// A tank of water.
 #[derive(Clone, Copy, Debug)]
@@ -22,6 +23,8 @@ pub(super) struct Column {
     pub(super) speed_of_sound: f32,
     /// Share of the support radius that sound travels in a time step.
     pub(super) courant: f64,
+    /// What holds the water.
+    pub(super) walls: Enclosure,
     /// Kernel of all terms, and number of neighbours.
     pub(super) kernel: (Kernel, f32),
     /// Random displacement at the start, in spacings.
@@ -58,6 +61,7 @@ impl Column {
             gravity,
             speed_of_sound: 10.0 * (gravity * depth).sqrt(),
             courant: 0.125,
+            walls: Enclosure::Particles(WallPressure::Mirrored),
             kernel: EXACT,
             jitter: JITTER,
         }
@@ -82,8 +86,7 @@ impl Column {
             ..WENDLAND
         };
         let high = Vec3::new(self.width, self.depth * (1.0 + HEADROOM), 0.0);
-        let shape = WallShape::Box { low: Vec3::ZERO, high, open: [Face::Ceiling].into_iter().collect() };
-        scene.walls = [Wall::still(shape)].into_iter().collect();
+        self.walls.enclose(&mut scene, high, &[Face::Ceiling], None);
         scene.grid = grid(Dimension::Two, 32);
         scene
     }

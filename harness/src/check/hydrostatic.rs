@@ -1,6 +1,7 @@
 //! `hydrostatic`: case H1 (after Adami et al. 2012). A tank of water settles. Its pressure must then balance the weight
 //! of the water above: `p = rho0 g (H - y)`, H being the depth.
 use super::column::{Column, Miss, Profile};
+use super::enclosure::Enclosure;
 use super::flow::{checked, fluid, larger, mean, start_with, step, steps_to};
 use super::recipes::ROWS_STAY;
 use super::{Context, Metric, Outcome};
@@ -39,24 +40,29 @@ const LIMIT: f64 = 0.02;
 /// at the floor), so it is of first order.
 const QUICK_LIMIT: f64 = LIMIT * (QUICK_SPACING / SPACING) as f64;
 
-/// Forms of wall pressure, density and diffusion of density.
-type Form = (WallPressure, DensityForm, DensityDiffusion);
+/// Forms of walls, density and diffusion of density.
+type Form = (Enclosure, DensityForm, DensityDiffusion);
 
 /// Compared forms. A quick study runs only the first [`QUICK_FORMS`].
-const FORMS: [Form; 7] = [
-    (WallPressure::Mirrored, DensityForm::Summation, DensityDiffusion::Off),
-    (WallPressure::Extrapolated, DensityForm::Continuity, DensityDiffusion::Hydrostatic),
-    (WallPressure::Extrapolated, DensityForm::Continuity, DensityDiffusion::Off),
-    (WallPressure::Extrapolated, DensityForm::Summation, DensityDiffusion::Off),
-    (WallPressure::Mirrored, DensityForm::Continuity, DensityDiffusion::Off),
-    (WallPressure::Dynamic, DensityForm::Summation, DensityDiffusion::Off),
-    (WallPressure::Dynamic, DensityForm::Continuity, DensityDiffusion::Off),
+const FORMS: [Form; 9] = [
+    (MIRRORED, DensityForm::Summation, DensityDiffusion::Off),
+    (EXTRAPOLATED, DensityForm::Continuity, DensityDiffusion::Hydrostatic),
+    (Enclosure::ClosedForm, DensityForm::Continuity, DensityDiffusion::Hydrostatic),
+    (EXTRAPOLATED, DensityForm::Continuity, DensityDiffusion::Off),
+    (EXTRAPOLATED, DensityForm::Summation, DensityDiffusion::Off),
+    (MIRRORED, DensityForm::Continuity, DensityDiffusion::Off),
+    (DYNAMIC, DensityForm::Summation, DensityDiffusion::Off),
+    (DYNAMIC, DensityForm::Continuity, DensityDiffusion::Off),
+    (Enclosure::ClosedForm, DensityForm::Summation, DensityDiffusion::Off),
 ];
-const QUICK_FORMS: usize = 2;
+const QUICK_FORMS: usize = 3;
+const MIRRORED: Enclosure = Enclosure::Particles(WallPressure::Mirrored);
+const EXTRAPOLATED: Enclosure = Enclosure::Particles(WallPressure::Extrapolated);
+const DYNAMIC: Enclosure = Enclosure::Particles(WallPressure::Dynamic);
 
-/// The form whose inner layers have the limit, and the form that has all limits.
+/// The form whose inner layers have the limit, and the forms that have all limits.
 const INNER: Form = FORMS[0];
-const WHOLE: Form = FORMS[1];
+const WHOLE: [Form; 2] = [FORMS[1], FORMS[2]];
 
 /// Kernel and number of neighbours of the whole form, with which a lattice under pressure keeps its rows.
 const REGULAR: (Kernel, f32) = (Kernel::WendlandC2, ROWS_STAY);
@@ -90,10 +96,11 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     for form @ (wall, density, diffusion) in FORMS.into_iter().take(forms) {
         let name = format!("{}, {}, {}", wall.name(), density.name(), diffusion.name());
         let percent = |x: f64| format!("{:.2} %", x * 100.0);
-        let column = if form == WHOLE { Column { kernel: REGULAR, jitter: 0.0, ..column } } else { column };
+        let whole = WHOLE.contains(&form);
+        let column = if whole { Column { kernel: REGULAR, jitter: 0.0, ..column } } else { column };
         let line = match settle(context, &column, form) {
             // forms without a limit may fail, and the note reports the error
-            Err(Failure::Step(error)) if form != INNER && form != WHOLE => {
+            Err(Failure::Step(error)) if form != INNER && !whole => {
                 [error.to_string(), String::new(), String::new(), String::new(), String::new()]
             }
             Err(failure) => return Err(failure),
@@ -101,10 +108,18 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
                 if form == INNER {
                     figures.push(Metric::below(format!("largest pressure error, {name}"), inner.largest, limit));
                 }
-                if form == WHOLE {
+                if whole {
                     figures.push(Metric::below(format!("largest error of every layer, {name}"), every, limit));
-                    figures.push(Metric::below("first layer off half a spacing", (first - 0.5).abs(), FIRST_LAYER));
-                    figures.push(Metric::below("force on the walls, off the weight", force.abs(), FORCE));
+                    figures.push(Metric::below(
+                        format!("first layer off half a spacing, {name}"),
+                        (first - 0.5).abs(),
+                        FIRST_LAYER,
+                    ));
+                    figures.push(Metric::below(
+                        format!("force on the walls, off the weight, {name}"),
+                        force.abs(),
+                        FORCE,
+                    ));
                 }
                 let rms = format!("{}, rms {}", percent(inner.largest), percent(inner.rms));
                 [rms, percent(every), format!("{first:.3}"), percent(force), percent(sunk)]
@@ -124,9 +139,8 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     Ok(Outcome::new(NAME, figures, vec![table(titles, lines)]))
 }
 
-fn settle(context: &Context, column: &Column, (wall, density, diffusion): Form) -> Result<Settled, Failure> {
-    let mut scene = column.scene();
-    scene.model.wall_pressure = wall;
+fn settle(context: &Context, column: &Column, (walls, density, diffusion): Form) -> Result<Settled, Failure> {
+    let mut scene = Column { walls, ..*column }.scene();
     (scene.model.density, scene.model.density_diffusion) = (density, diffusion);
     scene.model.initialize_hydrostatic = true;
     scene.model.viscosity = Viscosity::Artificial;
@@ -136,7 +150,7 @@ fn settle(context: &Context, column: &Column, (wall, density, diffusion): Form) 
     let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, scene.initial_particles().collect(), &mut heap)?;
-    let title = format!("{NAME} {}", wall.name());
+    let title = format!("{NAME} {}", walls.name());
     let mut profile = Profile::default();
     let mut forces = Vec::new();
     step(&title, context, &mut solver, steps_to(&scene, END), STEPS_PER_SAMPLE, |solver| {
@@ -144,7 +158,7 @@ fn settle(context: &Context, column: &Column, (wall, density, diffusion): Form) 
             profile.add(solver);
             // the drag of the air carries a part of the weight as long as the water sinks
             let drag = fluid(solver).iter().map(|p| f64::from(p.mass * p.velocity.y)).sum::<f64>() * f64::from(-DRAG);
-            forces.push(drag - f64::from(solver.neighbours().force_on_wall(0).y));
+            forces.push(drag - f64::from(walls.force(solver).y));
         }
     })?;
     let weight = fluid(&solver).iter().map(|p| f64::from(p.mass)).sum::<f64>() * f64::from(column.gravity);

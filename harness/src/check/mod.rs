@@ -23,6 +23,7 @@ mod column;
 mod dam_break_front;
 mod drop;
 mod elastic;
+mod enclosure;
 mod evaluation;
 mod extremes;
 mod flow;
@@ -125,7 +126,11 @@ pub const STUDIES: &[Study] = &[
         run: extremes::run,
     },
     Study { name: "hydrostatic", about: "pressure in a tank at rest, against rho0 g (H - y)", run: hydrostatic::run },
-    Study { name: "still-tank", about: "a tank of water at rest stays at rest for 5 s", run: still_tank::run },
+    Study {
+        name: "still-tank",
+        about: "a tank of water at rest stays at rest, for up to a minute",
+        run: still_tank::run,
+    },
     Study {
         name: "stiff-tank",
         about: "a collapsing column, its speed of sound 20 times its fastest flow, with adaptive time steps",

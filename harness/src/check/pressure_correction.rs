@@ -2,13 +2,14 @@
 //! sound, 1500 m/s, must be stable with the time step of an equation of state at 30 m/s. That step is fifty times as
 //! long as the one that an equation of state at 1500 m/s would allow.
 use super::column::{Column, Profile};
+use super::enclosure::Enclosure;
 use super::flow::{checked, start_with, step, steps_to};
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use glam::Vec3;
 use millpond_core::OwnedMemory;
-use millpond_core::scene::{Correction, Kernel, PressureForce, PressureSolver, Wind};
+use millpond_core::scene::{Correction, Kernel, PressureForce, PressureSolver, WallPressure, Wind};
 
 const NAME: &str = "pressure-correction";
 
@@ -44,6 +45,7 @@ const SINKING: f64 = 0.01;
 
 pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let column = Column {
+        walls: Enclosure::Particles(WallPressure::Mirrored),
         spacing: if context.quick { QUICK_SPACING } else { SPACING },
         width: WIDTH,
         depth: DEPTH,

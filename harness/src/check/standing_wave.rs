@@ -1,5 +1,6 @@
 //! `standing-wave`: case W1. A standing wave in a closed tank, against the period of linear theory. How fast it decays
 //! is the numerical viscosity of the fluid, and it must not grow.
+use super::enclosure::Enclosure;
 use super::flow::{checked, fluid, grid, larger, start_with, step, steps_to};
 use super::recipes::{ROWS_STAY, WATER_WITH_SURFACE};
 use super::{Context, Metric, Outcome};
@@ -8,7 +9,7 @@ use crate::outcome::table;
 use glam::Vec3;
 use millpond_core::backend::derive::support_radius;
 use millpond_core::scene::{
-    Block, DensityDiffusion, Dimension, Face, Fluid, Formulation, InitialParticle, Scene, Wall, WallPressure, WallShape,
+    Block, DensityDiffusion, Dimension, Face, Fluid, Formulation, InitialParticle, Scene, WallPressure,
 };
 use millpond_core::{OwnedMemory, Particle, Solver};
 use std::f64::consts::PI;
@@ -49,14 +50,16 @@ const QUICK_VISCOSITY: f64 = VISCOSITY * (QUICK_SPACING / SPACING) as f64;
 
 const STEPS_PER_SAMPLE: u64 = 5;
 
-/// Compared forms of wall pressure and diffusion of density. The first one has the limits, and a quick study runs only
+/// Compared forms of walls and diffusion of density. The first one has the limits, and a quick study runs only
 /// that one.
-const FORMS: [(WallPressure, DensityDiffusion); 4] = [
-    (WallPressure::Extrapolated, DensityDiffusion::Hydrostatic),
-    (WallPressure::Extrapolated, DensityDiffusion::Off),
-    (WallPressure::Mirrored, DensityDiffusion::Hydrostatic),
-    (WallPressure::Dynamic, DensityDiffusion::Hydrostatic),
+const FORMS: [Form; 5] = [
+    (Enclosure::Particles(WallPressure::Extrapolated), DensityDiffusion::Hydrostatic),
+    (Enclosure::ClosedForm, DensityDiffusion::Hydrostatic),
+    (Enclosure::Particles(WallPressure::Extrapolated), DensityDiffusion::Off),
+    (Enclosure::Particles(WallPressure::Mirrored), DensityDiffusion::Hydrostatic),
+    (Enclosure::Particles(WallPressure::Dynamic), DensityDiffusion::Hydrostatic),
 ];
+type Form = (Enclosure, DensityDiffusion);
 
 /// What a run shows of the wave.
 struct Wave {
@@ -101,7 +104,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     Ok(Outcome::new(NAME, figures, vec![table(titles, lines)]))
 }
 
-fn scene(spacing: f32, (wall_pressure, density_diffusion): (WallPressure, DensityDiffusion)) -> Scene {
+fn scene(spacing: f32, (walls, density_diffusion): Form) -> Scene {
     let speed_of_sound = SOUND * GRAVITY.sqrt();
     let water = Fluid { rest_density: 1000.0, speed_of_sound, ..Fluid::default() };
     let block = Block { size: Vec3::new(2.0, 1.0, 0.0), ..Block::default() };
@@ -109,11 +112,8 @@ fn scene(spacing: f32, (wall_pressure, density_diffusion): (WallPressure, Densit
     scene.gravity = Vec3::new(0.0, -GRAVITY, 0.0);
     scene.average_neighbours = ROWS_STAY;
     scene.time_step = (COURANT * support_radius(&scene) / f64::from(speed_of_sound)) as f32;
-    scene.model = Formulation { density_diffusion, wall_pressure, alpha: ALPHA, ..WATER_WITH_SURFACE };
-    let tank =
-        WallShape::Box { low: Vec3::ZERO, high: Vec3::new(2.0, 1.2, 0.0), open: [Face::Ceiling].into_iter().collect() };
-    let smooth = Wall { dynamic_viscosity: Some(0.0), ..Wall::still(tank) };
-    scene.walls = [smooth].into_iter().collect();
+    scene.model = Formulation { density_diffusion, alpha: ALPHA, ..WATER_WITH_SURFACE };
+    walls.enclose(&mut scene, Vec3::new(2.0, 1.2, 0.0), &[Face::Ceiling], Some(0.0));
     scene.grid = grid(Dimension::Two, 32);
     scene
 }
@@ -125,12 +125,7 @@ fn mode(position: Vec3) -> [f64; 2] {
     [-x.sin() * y.cosh() / depth, x.cos() * y.sinh() / depth]
 }
 
-fn swing(
-    context: &Context,
-    spacing: f32,
-    periods: f64,
-    form: (WallPressure, DensityDiffusion),
-) -> Result<Wave, Failure> {
+fn swing(context: &Context, spacing: f32, periods: f64, form: Form) -> Result<Wave, Failure> {
     let scene = scene(spacing, form);
     let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);

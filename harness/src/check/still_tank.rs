@@ -1,12 +1,14 @@
 //! `still-tank`: case H2. A tank of water starts at rest, with the density that its weight requires, and must stay at
 //! rest.
 use super::column::Column;
-use super::flow::{checked, rms_speed, start_with, step, steps_to};
+use super::column::Profile;
+use super::enclosure::Enclosure;
+use super::flow::{checked, larger, rms_speed, start_with, step, steps_to};
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
-use millpond_core::scene::{DensityForm, Kernel, Viscosity};
+use millpond_core::scene::{DensityDiffusion, DensityForm, Kernel, Viscosity, WallPressure};
 
 const NAME: &str = "still-tank";
 
@@ -37,13 +39,36 @@ const QUICK_LIMIT_SQUARED: f64 = LIMIT * LIMIT * (QUICK_SPACING / SPACING) as f6
 /// weight correctly, it has a relative error of about as much.
 const SINKING: f64 = 0.05;
 
-/// Compared density forms. The first one has the limits, and a quick study runs only that one.
-const FORMS: [DensityForm; 2] = [DensityForm::Continuity, DensityForm::Summation];
+/// Compared forms of walls, density and diffusion. The first one has the limits above.
+const FORMS: [Form; 2] = [
+    (MIRRORED, DensityForm::Continuity, DensityDiffusion::Off),
+    (MIRRORED, DensityForm::Summation, DensityDiffusion::Off),
+];
+
+/// The forms that keep still for a minute. The first one has the limits below, and a quick study runs only that one,
+/// for a third of the time.
+const STILL: [Form; 2] = [
+    (Enclosure::ClosedForm, DensityForm::Continuity, DensityDiffusion::Hydrostatic),
+    (EXTRAPOLATED, DensityForm::Continuity, DensityDiffusion::Hydrostatic),
+];
+const MINUTE: f64 = 60.0;
+
+/// Required limits after a minute: rms speed over that of a long wave, and error of every layer over the pressure at
+/// the floor.
+const STILL_SPEED: f64 = 0.002;
+const STILL_PROFILE: f64 = 0.02;
+
+/// Forms of walls, density and diffusion of density.
+type Form = (Enclosure, DensityForm, DensityDiffusion);
+const MIRRORED: Enclosure = Enclosure::Particles(WallPressure::Mirrored);
+const EXTRAPOLATED: Enclosure = Enclosure::Particles(WallPressure::Extrapolated);
 
 /// Results of a run.
 struct Rest {
     /// Largest rms speed at the end of the run, over the speed of a long wave.
     speed: f64,
+    /// Largest error of a layer in that time, over the pressure at the floor.
+    profile: f64,
     /// Particles that are no longer in the tank.
     lost: usize,
     /// Loss of mean height, in spacings.
@@ -56,34 +81,69 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let kernel = (Kernel::WendlandC2, 32.0);
     let (spacing, limit, forms) =
         if context.quick { (QUICK_SPACING, QUICK_LIMIT_SQUARED.sqrt(), 1) } else { (SPACING, LIMIT, FORMS.len()) };
+    let minute = if context.quick { MINUTE / 3.0 } else { MINUTE };
     let column = Column { kernel, jitter: 0.0, ..Column::of_reference_case(spacing) };
     let mut figures = Vec::new();
     let mut lines = Vec::new();
-    for (i, density) in FORMS.into_iter().take(forms).enumerate() {
-        match rest(context, &column, density) {
-            Ok(Rest { speed, lost, sunk }) => {
+    for (i, form) in FORMS.into_iter().take(forms).enumerate() {
+        match rest(context, &column, form, END) {
+            Ok(Rest { speed, profile, lost, sunk }) => {
                 if i == 0 {
                     figures.push(Metric::below("rms speed over sqrt(g H)", speed, limit));
                     let moved = sunk * f64::from(column.spacing) / column.compression();
                     figures.push(Metric::below("change of mean height, over compression", moved.abs(), SINKING));
                     figures.push(Metric::below("particles lost", lost as f64, 0.0));
                 }
-                let speed = format!("{:.3} %", speed * 100.0);
-                lines.push([density.name().into(), speed, lost.to_string(), format!("{sunk:.2}")]);
+                lines.push(line(form, END, &Rest { speed, profile, lost, sunk }));
             }
             Err(Failure::Step(error)) if i > 0 => {
-                lines.push([density.name().into(), error.to_string(), String::new(), String::new()]);
+                let empty = String::new;
+                lines.push([name(form), END.to_string(), error.to_string(), empty(), empty(), empty()]);
             }
             Err(failure) => return Err(failure),
         }
     }
-    let titles = ["density", "rms speed over sqrt(g H)", "lost", "loss of mean height, spacings"];
+    for (i, form) in STILL.into_iter().take(forms).enumerate() {
+        let still = rest(context, &column, form, minute)?;
+        if i == 0 {
+            let of = |what: &str| format!("{what} after {minute} s, {}", name(form));
+            figures.push(Metric::below(of("rms speed over sqrt(g H)"), still.speed, STILL_SPEED));
+            figures.push(Metric::below(of("largest error of a layer"), still.profile, STILL_PROFILE));
+            figures.push(Metric::below(of("particles lost"), still.lost as f64, 0.0));
+        }
+        lines.push(line(form, minute, &still));
+    }
+    let titles = [
+        "walls, density, diffusion",
+        "end, s",
+        "rms speed over sqrt(g H)",
+        "largest error of a layer, over rho g H",
+        "lost",
+        "loss of mean height, spacings",
+    ];
     Ok(Outcome::new(NAME, figures, vec![table(titles, lines)]))
 }
 
-fn rest(context: &Context, column: &Column, density: DensityForm) -> Result<Rest, Failure> {
-    let mut scene = column.scene();
-    scene.model.density = density;
+fn name((walls, density, diffusion): Form) -> String {
+    format!("{}, {}, {}", walls.name(), density.name(), diffusion.name())
+}
+
+fn line(form: Form, end: f64, rest: &Rest) -> [String; 6] {
+    let percent = |x: f64| format!("{:.3} %", x * 100.0);
+    [
+        name(form),
+        end.to_string(),
+        percent(rest.speed),
+        percent(rest.profile),
+        rest.lost.to_string(),
+        format!("{:.2}", rest.sunk),
+    ]
+}
+
+fn rest(context: &Context, column: &Column, form: Form, end: f64) -> Result<Rest, Failure> {
+    let (walls, density, diffusion) = form;
+    let mut scene = Column { walls, ..*column }.scene();
+    (scene.model.density, scene.model.density_diffusion) = (density, diffusion);
     scene.model.initialize_hydrostatic = true;
     scene.model.viscosity = Viscosity::Artificial;
     scene.model.alpha = ALPHA;
@@ -92,14 +152,20 @@ fn rest(context: &Context, column: &Column, density: DensityForm) -> Result<Rest
     let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, scene.initial_particles().collect(), &mut heap)?;
     let start = Column::mean_height(&solver);
-    let mut speed = 0.0f64;
-    step(NAME, context, &mut solver, steps_to(&scene, END), STEPS_PER_SAMPLE, |solver| {
-        if solver.time() > END - WINDOW {
+    let (mut speed, mut profile) = (0.0f64, Profile::default());
+    step(&name(form), context, &mut solver, steps_to(&scene, end), STEPS_PER_SAMPLE, |solver| {
+        if solver.time() > end - WINDOW {
             speed = speed.max(rms_speed(solver));
+            profile.add(solver);
         }
     })?;
     Ok(Rest {
         speed: speed / column.wave_speed(),
+        profile: profile
+            .every_layer(column)
+            .iter()
+            .map(|layer| layer.map_or(f64::NAN, |layer| column.off(&layer).abs()))
+            .fold(0.0, larger),
         lost: column.lost(&solver),
         sunk: (start - Column::mean_height(&solver)) / f64::from(column.spacing),
     })

@@ -2,6 +2,7 @@
 use crate::arithmetic::lanes::{Lanes, Slots, xyz};
 use crate::arithmetic::real::{less, real, root, select, vec3};
 use crate::layout::f32x4;
+use crate::passes::beyond::{self, Front};
 use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
 use crate::passes::density_sums::{beside, of_neighbour};
@@ -11,6 +12,7 @@ use crate::passes::listing::{self, Near, Visit};
 use crate::passes::lists::GROUP;
 use crate::passes::local::{Particles, of_material, own_numbers, particles, spread};
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
+use crate::terms::beyond::{completed, rate_by_walls};
 use crate::terms::correction::pressure_carried;
 use crate::terms::density::{
     continuity_neighbour, continuity_slope, deviation_of_sum, deviation_rate, deviation_stepped, is_stepped,
@@ -225,8 +227,28 @@ impl Density<'_> {
         let rest = of_properties(2);
         let previous = if self.previous.is_empty() { [none; 4] } else { spread(self.previous, first, last) };
         let stiffness = particles.stiffness::<R>(setup, first, last);
+        let (mut sum, mut number_sum) = (sum, number_sum);
+        let mut rate = if is_stepped(m) { deviation_rate(m, p, sum, mass, rest) } else { none };
+        if m.has_closed_walls == 1 {
+            let [x, y, z, _] = group.spread::<R>(particles.position);
+            let [vx, vy, vz, _] = group.spread::<R>(particles.velocity);
+            let (position, velocity) = (vec3(x, y, z), vec3(vx, vy, vz));
+            let support = particles.supports(setup, first, last);
+            let front = Front { position, velocity, support, viscosity: none };
+            if is_stepped(m) {
+                // in the middle of the step
+                let position = position - velocity * real(u.half_time_step);
+                let beyond = beyond::of_pressure(setup, Front { position, ..front });
+                rate = completed(rate + rate_by_walls(previous[0], beyond), beyond.gamma);
+            } else {
+                sum = completed(sum, beyond::of_density(setup, front).gamma);
+            }
+            if m.has_number_density_volume == 1 {
+                number_sum = completed(number_sum, beyond::of_density(setup, front).gamma);
+            }
+        }
         let mut deviation = if is_stepped(m) {
-            deviation_stepped(u, previous[0], deviation_rate(m, p, sum, mass, rest))
+            deviation_stepped(u, previous[0], rate)
         } else {
             deviation_of_sum(m, p, sum, mass, rest)
         };

@@ -3,14 +3,17 @@
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{flush, real, vec3};
 use crate::layout::f32x4;
+use crate::passes::beyond::{self, Front};
 use crate::passes::by_model;
 use crate::passes::context::Step;
 use crate::passes::group::{Group, fold};
 use crate::passes::local::{Particles, particles};
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
+use crate::terms::beyond::deviation_beyond;
 use crate::terms::diffusion::RENORMALISED;
+use crate::terms::external::weight;
 use crate::terms::geometry::flush3;
-use crate::terms::pair::separation;
+use crate::terms::pair::{density_ratio, separation};
 use crate::terms::renormalisation::{
     deviation_gradient, gradient_weight, inverse_diagonal, inverse_mixed, renormalised, smallest_eigenvalue,
 };
@@ -64,6 +67,12 @@ impl PairPass for Renormalise {
             });
             (vec3(xx, yy, none), vec3(xy, none, none))
         };
+        let (mut diagonal, mut mixed) = (diagonal, mixed);
+        let beyond = (m.has_closed_walls == 1).then(|| beyond::of_pressure(group.setup, Front::of(a)));
+        if let Some(beyond) = beyond {
+            diagonal = diagonal + beyond.lever + vec3(beyond.gamma, beyond.gamma, beyond.gamma);
+            mixed = mixed + beyond.lever_mixed;
+        }
         let lambda = smallest_eigenvalue(m, diagonal, mixed);
         let mut gradient = vec3(none, none, none);
         if m.density_diffusion == RENORMALISED {
@@ -73,7 +82,12 @@ impl PairPass for Renormalise {
                 let vec3 { x, y, z } = deviation_gradient(m, a, b, x_ab, gradient_weight(m, p, t, a, b, x_ab));
                 [x, y, z, none]
             });
-            gradient = renormalised(m, diagonal, mixed, lambda, xyz(sum));
+            let mut sum_beyond = vec3(none, none, none);
+            if let Some(beyond) = beyond {
+                let g = weight(m, p, group.setup.uniform, density_ratio(m, a.deviation, a.rest_ratio));
+                sum_beyond = deviation_beyond(a, beyond, g);
+            }
+            gradient = renormalised(m, diagonal, mixed, lambda, xyz(sum) + sum_beyond);
         }
         let vec3 { x, y, z } = flush3(gradient);
         R::rows([x, y, z, flush(lambda)], own);

@@ -3,6 +3,7 @@
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{less, real, select, vec3};
 use crate::layout::f32x4;
+use crate::passes::beyond::{self, Front};
 use crate::passes::by_model;
 use crate::passes::context::Step;
 use crate::passes::group::{Group, fold};
@@ -40,7 +41,11 @@ impl PairPass for Exposure {
             let vec3 { x, y, z } = total_gradient(m, p, a, group.neighbours(slots));
             [x, y, z, none]
         });
-        let normal = flush3(xyz(sum));
+        let mut sum = xyz(sum);
+        if m.has_closed_walls == 1 {
+            sum = sum - beyond::of_density(group.setup, Front::of(a)).surface;
+        }
+        let normal = flush3(sum);
         let exposed = is_exposed(p, normal, a.wall, a.fluid);
         let is_wall = less(none, a.wall);
         let of = |x: R| select(x, none, is_wall);

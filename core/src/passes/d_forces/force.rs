@@ -3,6 +3,7 @@
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{div, real, vec3};
 use crate::layout::f32x4;
+use crate::passes::beyond::{self, Front};
 use crate::passes::by_model;
 use crate::passes::context::Step;
 use crate::passes::field;
@@ -10,8 +11,9 @@ use crate::passes::group::{Group, fold};
 use crate::passes::half_stencil;
 use crate::passes::local::{own_numbers, particles};
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
+use crate::terms::beyond::{completed3, has_wall_friction, wall_push, wall_rub};
 use crate::terms::exchange::{exchange_close, exchange_neighbour, exchange_share};
-use crate::terms::external::external_close;
+use crate::terms::external::{external_close, weight};
 use crate::terms::neighbour::{acceleration_close, force_neighbour};
 use crate::terms::pair::{Local, density_ratio};
 use crate::terms::shifting::pressure_without_tension;
@@ -53,27 +55,45 @@ impl PairPass for Force<'_> {
             own.fill([0.0; 4]);
             return 0;
         }
-        let mut a = group.receivers::<R>();
+        let a = group.receivers::<R>();
+        let mut acting = a;
         if m.has_tensile_control == 1 {
             let [.., lambda] = group.spread(self.renormalised);
-            a.pressure = pressure_without_tension(a.pressure, lambda);
+            acting.pressure = pressure_without_tension(a.pressure, lambda);
         }
         let none = real::<R>(0.0);
         let force = fold!(group: R, is zero with itself, |slots| {
-            let vec3 { x, y, z } = force_neighbour(m, p, t, a, group.neighbours(slots));
+            let vec3 { x, y, z } = force_neighbour(m, p, t, acting, group.neighbours(slots));
             [x, y, z, none]
         });
-        close(group, a, xyz(force), own);
+        close(group, a, acting.pressure, xyz(force), own);
         0
     }
 }
 
-/// Computes the acceleration from the summed force density, the exchange of velocities and external forces.
+/// Computes the acceleration from the summed force density, the exchange of velocities, walls in closed form and
+/// external forces. `acting` is the pressure with which the particle entered the sum.
 #[inline(always)]
-fn close<R: Lanes>(group: &Group<'_>, a: Local<R>, force: vec3<R>, own: &mut [f32x4]) {
+fn close<R: Lanes>(group: &Group<'_>, a: Local<R>, acting: R, force: vec3<R>, own: &mut [f32x4]) {
     let setup = group.setup;
     let (m, p, u) = (setup.model, setup.parameters, setup.uniform);
     let mut internal = acceleration_close(m, p, force, a);
+    let none = real(0.0);
+    let mut field = vec3(none, none, none);
+    if m.has_acceleration_field == 1 {
+        field = field::at(setup, a.position);
+    }
+    if m.has_closed_walls == 1 {
+        let beyond = beyond::of_pressure(setup, Front::of(a));
+        if !m.corrects_pressure() {
+            let g = weight(m, p, u, density_ratio(m, a.deviation, a.rest_ratio)) + field;
+            internal = internal + wall_push(m, p, a, acting, beyond, g);
+        }
+        if has_wall_friction(m) {
+            internal = internal + wall_rub(m, p, a, beyond);
+        }
+        internal = completed3(internal, beyond.gamma);
+    }
     if m.has_velocity_exchange == 1 {
         let [x, y, z, shares] = fold!(group: R, is zero with itself, |slots| {
             let b = group.neighbours(slots);
@@ -83,7 +103,7 @@ fn close<R: Lanes>(group: &Group<'_>, a: Local<R>, force: vec3<R>, own: &mut [f3
         internal = internal + vec3(x, y, z) * exchange_close(u, shares);
     }
     if m.has_acceleration_field == 1 {
-        internal = internal + field::at(setup, a.position);
+        internal = internal + field;
     }
     let acceleration = external_close(m, p, u, internal, a.velocity, density_ratio(m, a.deviation, a.rest_ratio));
     let vec3 { x, y, z } = if_free(m, acceleration, a.wall);
@@ -103,7 +123,7 @@ impl PairPass for Summed {
     fn group<R: Lanes>(&self, group: &Group<'_>, own: &mut [f32x4]) -> u32 {
         let a = group.receivers::<R>();
         let one = real::<R>(1.0);
-        close(group, a, xyz(own_numbers::<R>(own)) * div(one, a.volume), own);
+        close(group, a, a.pressure, xyz(own_numbers::<R>(own)) * div(one, a.volume), own);
         0
     }
 }

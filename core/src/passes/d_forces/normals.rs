@@ -3,6 +3,7 @@
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::real::{less, real, select, vec3};
 use crate::layout::f32x4;
+use crate::passes::beyond::{self, Front};
 use crate::passes::by_model;
 use crate::passes::context::Step;
 use crate::passes::group::{Group, fold};
@@ -39,7 +40,11 @@ impl PairPass for Normals {
             let vec3 { x, y, z } = colour_gradient(m, p, a, b);
             [x, y, z, if m.tension == CURVATURE { colour_laplacian(m, p, a, b) } else { none }]
         });
-        let normal = flush3(vec3(x, y, z));
+        let mut normal = vec3(x, y, z);
+        if m.has_closed_walls == 1 {
+            normal = normal - beyond::of_density(group.setup, Front::of(a)).surface;
+        }
+        let normal = flush3(normal);
         let curvature = if m.tension == CURVATURE { curvature_of_colour(p, normal, laplacian) } else { none };
         let is_wall = less(none, a.wall);
         let of = |x: R| select(x, none, is_wall);

@@ -3,11 +3,13 @@
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{less, real, root, select};
 use crate::layout::f32x4;
+use crate::passes::beyond::{self, Front};
 use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
 use crate::passes::group::{Group, fold};
 use crate::passes::local::{own_numbers, particles};
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
+use crate::terms::beyond::{completed, rate_by_walls};
 use crate::terms::correction::{
     inverse_correction, predicted_density_error, predicted_velocity, pressure_corrected, residual,
 };
@@ -59,7 +61,12 @@ impl PairPass for PressureCorrect<'_> {
         });
         let [deviation, before, near_pressure, volume] = own_numbers::<R>(own);
         let k = particles.stiffness::<R>(setup, group.first, group.last);
-        let rate = deviation_rate(m, p, rate, a.mass, a.rest_ratio);
+        let mut rate = deviation_rate(m, p, rate, a.mass, a.rest_ratio);
+        if m.has_closed_walls == 1 {
+            let front = Front { velocity: v_a, ..Front::of(a) };
+            let beyond = beyond::of_pressure(setup, front);
+            rate = completed(rate + rate_by_walls(deviation, beyond), beyond.gamma);
+        }
         let miss = predicted_density_error(m, p, u, before, deviation, rate, k.compressibility);
         let inverse = inverse_correction(u, k.pressure_response, k.response_offset);
         let mut after = pressure_corrected(m, before, miss, inverse);

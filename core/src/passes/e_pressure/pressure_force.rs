@@ -3,13 +3,18 @@
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{real, vec3};
 use crate::layout::f32x4;
+use crate::passes::beyond::{self, Front};
 use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
+use crate::passes::field;
 use crate::passes::group::{Group, fold};
 use crate::passes::local::particles;
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
+use crate::terms::beyond::{completed3, wall_push};
+use crate::terms::external::weight;
 use crate::terms::geometry::flush3;
 use crate::terms::neighbour::{acceleration_close, pressure_neighbour};
+use crate::terms::pair::density_ratio;
 use crate::terms::wall::if_free;
 
 /// Fills the accelerations.
@@ -31,7 +36,7 @@ impl PairPass for PressureForce<'_> {
 
     #[inline(always)]
     fn group<R: Lanes>(&self, group: &Group<'_>, own: &mut [f32x4]) -> u32 {
-        let Setup { model: m, parameters: p, tables: t, .. } = *group.setup;
+        let Setup { model: m, parameters: p, uniform: u, tables: t, .. } = *group.setup;
         if group.are_walls() {
             own.fill([0.0; 4]);
             return 0;
@@ -42,7 +47,16 @@ impl PairPass for PressureForce<'_> {
             [x, y, z, real(0.0)]
         });
         let non_pressure = group.spread::<R>(self.non_pressure);
-        let all = flush3(xyz(non_pressure) + acceleration_close(m, p, xyz(force), a));
+        let mut pushed = acceleration_close(m, p, xyz(force), a);
+        if m.has_closed_walls == 1 {
+            let beyond = beyond::of_pressure(group.setup, Front::of(a));
+            let mut g = weight(m, p, u, density_ratio(m, a.deviation, a.rest_ratio));
+            if m.has_acceleration_field == 1 {
+                g = g + field::at(group.setup, a.position);
+            }
+            pushed = completed3(pushed + wall_push(m, p, a, a.pressure, beyond, g), beyond.gamma);
+        }
+        let all = flush3(xyz(non_pressure) + pushed);
         let vec3 { x, y, z } = if_free(m, all, a.wall);
         let [.., curvature] = non_pressure;
         R::rows([x, y, z, curvature], own);

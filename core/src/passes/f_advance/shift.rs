@@ -3,6 +3,7 @@
 use crate::arithmetic::lanes::{Lanes, xyz};
 use crate::arithmetic::real::{real, vec3};
 use crate::layout::f32x4;
+use crate::passes::beyond::{self, Front};
 use crate::passes::by_model;
 use crate::passes::context::Step;
 use crate::passes::group::{Group, fold};
@@ -72,7 +73,11 @@ impl Shift<'_> {
             let vec3 { x, y, z } = close_repulsion(m, p, t, a, group.neighbours(slots));
             [x, y, z, none]
         });
-        fickian_velocity(m, p, u, vec3(x, y, z), xyz(repulsion), approach2, lambda, xyz(normal))
+        let mut concentration = vec3(x, y, z);
+        if m.has_closed_walls == 1 {
+            concentration = concentration - beyond::of_pressure(group.setup, Front::of(a)).surface;
+        }
+        fickian_velocity(m, p, u, concentration, xyz(repulsion), approach2, lambda, xyz(normal))
     }
 }
 
@@ -84,5 +89,10 @@ fn transport<R: Lanes>(group: &Group<'_>, a: Local<R>) -> vec3<R> {
         let vec3 { x, y, z } = background_gradient(m, p, t, a, group.neighbours(slots));
         [x, y, z, none]
     });
-    transport_velocity(m, p, u, a, xyz(sum))
+    let mut sum = xyz(sum);
+    if m.has_closed_walls == 1 {
+        // beyond the walls particles have the volume of this one
+        sum = sum - beyond::of_pressure(group.setup, Front::of(a)).surface * real(2.0);
+    }
+    transport_velocity(m, p, u, a, sum)
 }

@@ -71,9 +71,25 @@ fn pass_body(a: u32) {
     }
   }
   let k = stiffness_of(v_a.w);
+  var rate = 0.0f;
+  if is_stepped() { rate = deviation_rate(sum, x_a.w, own_properties.z); }
+  if m.has_closed_walls == 1u {
+    let support = support_of(a);
+    if is_stepped() {
+      // in the middle of the step
+      let x_mid = x_a.xyz - v_a.xyz * u.half_time_step;
+      let beyond = of_pressure(x_mid, v_a.xyz, support, 0.0f);
+      rate = completed(rate + rate_by_walls(previous_density_pressure[a].x, beyond), beyond.gamma);
+    } else {
+      sum = completed(sum, of_density(x_a.xyz, v_a.xyz, support, 0.0f).gamma);
+    }
+    if m.has_number_density_volume == 1u {
+      number_sum = completed(number_sum, of_density(x_a.xyz, v_a.xyz, support, 0.0f).gamma);
+    }
+  }
   var deviation = 0.0f;
   if is_stepped() {
-    deviation = deviation_stepped(previous_density_pressure[a].x, deviation_rate(sum, x_a.w, own_properties.z));
+    deviation = deviation_stepped(previous_density_pressure[a].x, rate);
   } else {
     deviation = deviation_of_sum(sum, x_a.w, own_properties.z);
   }

@@ -5,10 +5,11 @@ fn before(i: u32) -> Local {
   let v = new_velocity[i];
   let state = previous_density_pressure[i];
   let own = properties_of(v.w);
+  let states = materials.states[material_index(v.w)];
   var support = 1.0f;
   if m.has_variable_support == 1u { support = support_ratio[i]; }
   return Local(x.xyz, v.xyz, support, x.w, state.x, state.y, state.z, state.w,
-    own.x, own.y, own.z, own.w, 0.0f, 0.0f, 0.0f);
+    own.x, own.y, own.z, own.w, states.z, states.w, 0.0f);
 }
 
 fn pass_body(i: u32) {
@@ -40,8 +41,15 @@ fn pass_body(i: u32) {
     diagonal = vec3(diagonal.x, diagonal.y, 0.0f);
     mixed = vec3(mixed.x, 0.0f, 0.0f);
   }
+  var sum_beyond = vec3(0.0f, 0.0f, 0.0f);
+  if m.has_closed_walls == 1u {
+    let beyond = of_pressure(a.position, a.velocity, a.support, a.viscosity);
+    diagonal = diagonal + beyond.lever + vec3(beyond.gamma, beyond.gamma, beyond.gamma);
+    mixed = mixed + beyond.lever_mixed;
+    sum_beyond = deviation_beyond(a, beyond, weight(density_ratio(a.deviation, a.rest_ratio)));
+  }
   let lambda = smallest_eigenvalue(diagonal, mixed);
   var gradient = vec3(0.0f, 0.0f, 0.0f);
-  if m.density_diffusion == RENORMALISED { gradient = renormalised(diagonal, mixed, lambda, sum); }
+  if m.density_diffusion == RENORMALISED { gradient = renormalised(diagonal, mixed, lambda, sum + sum_beyond); }
   renormalised_gradient[i] = vec4(flush3(gradient), flush(lambda));
 }

@@ -16,6 +16,9 @@ fn pass_body(i: u32) {
       if is_near(a, b) { sum = sum + total_gradient(a, b); }
     }
   }
+  if m.has_closed_walls == 1u {
+    sum = sum - of_density(a.position, a.velocity, a.support, a.viscosity).surface;
+  }
   let gradient = flush3(sum);
   total_colour_gradient[i] = vec4(gradient, is_exposed(gradient, a.wall, a.fluid));
 }

@@ -10,9 +10,10 @@ fn seen(j: u32) -> Local {
 
 fn pass_body(i: u32) {
   if i >= p.particle_count || head.status.failed != 0u { return; }
-  var a = local(i);
+  let a = local(i);
+  var acting = a;
   if m.has_tensile_control == 1u {
-    a.pressure = pressure_without_tension(a.pressure, renormalised_gradient[i].w);
+    acting.pressure = pressure_without_tension(a.pressure, renormalised_gradient[i].w);
   }
   if a.wall > 0.0f {
     force_out[i] = vec4(0.0f, 0.0f, 0.0f, 0.0f);
@@ -28,7 +29,7 @@ fn pass_body(i: u32) {
     for (var j = cell_start[c]; j < end; j += 1u) {
       let b = seen(j);
       if is_near(a, b) {
-        force = force + force_neighbour(a, b);
+        force = force + force_neighbour(acting, b);
         if m.has_velocity_exchange == 1u {
           change = change + exchange_neighbour(a, b);
           shares = shares + exchange_share(a, b);
@@ -37,7 +38,18 @@ fn pass_body(i: u32) {
     }
   }
   var internal = acceleration_close(force, a);
+  var field = vec3(0.0f, 0.0f, 0.0f);
+  if m.has_acceleration_field == 1u { field = field_at(a.position); }
+  if m.has_closed_walls == 1u {
+    let beyond = of_pressure(a.position, a.velocity, a.support, a.viscosity);
+    if m.pressure_solver != PRESSURE_CORRECTION {
+      let g = weight(density_ratio(a.deviation, a.rest_ratio)) + field;
+      internal = internal + wall_push(a, acting.pressure, beyond, g);
+    }
+    if has_wall_friction() { internal = internal + wall_rub(a, beyond); }
+    internal = completed3(internal, beyond.gamma);
+  }
   if m.has_velocity_exchange == 1u { internal = internal + change * exchange_close(shares); }
-  if m.has_acceleration_field == 1u { internal = internal + field_at(a.position); }
+  if m.has_acceleration_field == 1u { internal = internal + field; }
   force_out[i] = vec4(external_close(internal, a.velocity, density_ratio(a.deviation, a.rest_ratio)), 0.0f);
 }

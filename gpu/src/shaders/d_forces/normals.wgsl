@@ -21,6 +21,9 @@ fn pass_body(i: u32) {
       }
     }
   }
+  if m.has_closed_walls == 1u {
+    sum = sum - of_density(a.position, a.velocity, a.support, a.viscosity).surface;
+  }
   let normal = flush3(sum);
   var curvature = 0.0f;
   if m.tension == CURVATURE { curvature = curvature_of_colour(normal, laplacian); }

@@ -31,6 +31,12 @@ fn pass_body(a: u32) {
   let state = new_density_pressure[a];
   let k = stiffness_of(new_velocity[a].w);
   rate = deviation_rate(rate, new_position[a].w, own_properties.z);
+  if m.has_closed_walls == 1u {
+    var support = 1.0f;
+    if m.has_variable_support == 1u { support = support_ratio[a]; }
+    let beyond = of_pressure(x_a, v_a, support, own_properties.x);
+    rate = completed(rate + rate_by_walls(state.x, beyond), beyond.gamma);
+  }
   let inverse = inverse_correction(k.pressure_response, k.response_offset);
   let after = pressure_corrected(state.y, predicted_density_error(state.y, state.x, rate, k.compressibility), inverse);
   new_density_pressure[a] = vec4(state.x, after, state.z, state.w);

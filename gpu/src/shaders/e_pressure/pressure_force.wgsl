@@ -18,5 +18,12 @@ fn pass_body(i: u32) {
     }
   }
   let non_pressure = non_pressure_acceleration[i];
-  new_acceleration[i] = vec4(flush3(non_pressure.xyz + acceleration_close(force, a)), non_pressure.w);
+  var pushed = acceleration_close(force, a);
+  if m.has_closed_walls == 1u {
+    let beyond = of_pressure(a.position, a.velocity, a.support, a.viscosity);
+    var g = weight(density_ratio(a.deviation, a.rest_ratio));
+    if m.has_acceleration_field == 1u { g = g + field_at(a.position); }
+    pushed = completed3(pushed + wall_push(a, a.pressure, beyond, g), beyond.gamma);
+  }
+  new_acceleration[i] = vec4(flush3(non_pressure.xyz + pushed), non_pressure.w);
 }

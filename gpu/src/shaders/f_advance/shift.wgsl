@@ -28,6 +28,15 @@ fn pass_body(i: u32) {
       }
     }
   }
+  if m.has_closed_walls == 1u {
+    let surface = of_pressure(a.position, a.velocity, a.support, a.viscosity).surface;
+    if m.shifting == TRANSPORT_VELOCITY {
+      // beyond the walls particles have the volume of this one
+      concentration = concentration - surface * 2.0f;
+    } else {
+      concentration = concentration - surface;
+    }
+  }
   var drift = fickian_velocity(concentration, repulsion, approach2, renormalised_gradient[i].w, normal);
   if m.shifting == TRANSPORT_VELOCITY { drift = transport_velocity(a, concentration); }
   if m.has_xsph == 1u { drift = new_drift_velocity[i].xyz + drift; }

@@ -1,0 +1,183 @@
+//! Walls in closed form: the part of a kernel that lies beyond a plane `n . x = offset`, whose normal n points towards
+//! the fluid. Beyond the plane the fluid is thought to go on as it is at the particle, with the pressure `P_a + rho_a g
+//! . (x - x_a)` (the semi-analytical walls of Kulasegaram et al. 2004 and Ferrand et al. 2013, for planes).
+//!
+//! For a plane at distance d two quantities are enough: `gamma(d)`, the integral of W over the space beyond, and `W1(d)
+//! = -d gamma / dd`, the integral of W over the plane. The integral of `(x - x_a) grad W` over the space beyond is `T =
+//! gamma 1 + d W1 n n`. A sum over neighbours, together with what the plane adds by W1, lacks gamma times its result,
+//! and so is divided by `1 - gamma`. Where several planes are near, the part in front of all of them is the product of
+//! the parts in front of each, which is exact for a Gaussian.
+use super::geometry::*;
+use super::pair::*;
+use super::pressure::*;
+use super::viscosity::*;
+use crate::arithmetic::real::*;
+use crate::layout::{Model, Parameters, Tables};
+
+/// What lies beyond the walls around a particle.
+#[derive(Clone, Copy)]
+pub struct Beyond<R> {
+    /// `gamma`, the part of the kernel that lies beyond.
+    pub gamma: R,
+    /// `sum W1 n`, 1/m.
+    pub surface: vec3<R>,
+    /// The diagonal of `sum d W1 n n` (xx, yy, zz).
+    pub lever: vec3<R>,
+    /// The rest of `sum d W1 n n` (xy, xz, yz).
+    pub lever_mixed: vec3<R>,
+    /// `sum (v_w - v) . n W1`, with the velocity of the wall v_w, 1/s.
+    pub approach: R,
+    /// `sum mu (v - v_w) W1 / d` along the planes, N/m3.
+    pub drag: vec3<R>,
+}
+
+/// Table of gamma of the density kernel, over d / H.
+pub const DENSITY_GAMMA: u32 = 3;
+/// Table of H W1 of the density kernel, over d / H.
+pub const DENSITY_SURFACE: u32 = 4;
+/// Table of gamma of the pressure kernel, over d / H.
+pub const PRESSURE_GAMMA: u32 = 5;
+/// Table of H W1 of the pressure kernel, over d / H.
+pub const PRESSURE_SURFACE: u32 = 6;
+
+/// Returns the distance of a particle in front of a plane, m; 0 behind it.
+#[inline(always)]
+pub fn height_in_front<R: Real>(position: vec3<R>, normal: vec3<R>, offset: R) -> R {
+    return larger(dot3(position, normal) - offset, real(0.0));
+}
+
+/// Returns the value of a table at `x`, which is at least 0, by the cubic through the four entries around it. From x =
+/// 1 on it is 0.
+#[inline(always)]
+pub fn interpolated_smoothly<R: Real>(t: &Tables, table: u32, x: R) -> R {
+    let one: R = real(1.0);
+    let place = smaller(x, one) * 1024.0;
+    let entry = smaller(larger(floor(place), one), real(1022.0));
+    let f = place - entry;
+    let before = lookup(t, table, entry - 1.0);
+    let low = lookup(t, table, entry);
+    let high = lookup(t, table, entry + 1.0);
+    let after = lookup(t, table, entry + 2.0);
+    let below = (f - 1.0) * (f - 2.0);
+    let above = (f + 1.0) * f;
+    let inner = (low * (f + 1.0) * below - high * above * (f - 2.0)) * 0.5;
+    let outer = (after * above * (f - 1.0) - before * f * below) * 0.16666667;
+    return select(real(0.0), inner + outer, less(x, one));
+}
+
+/// Returns the part of the kernel that lies in front of a plane, `1 - gamma`; `ratio` is d / H.
+#[inline(always)]
+pub fn part_in_front<R: Real>(t: &Tables, table: u32, ratio: R) -> R {
+    let one: R = real(1.0);
+    return one - interpolated_smoothly(t, table, ratio);
+}
+
+/// Returns W1 of a plane, 1/m; `in_front` is the part of the kernel in front of all other planes, and `scale` is the
+/// support radius of the scene over that of the particle.
+#[inline(always)]
+pub fn plane_surface<R: Real>(p: &Parameters, t: &Tables, table: u32, ratio: R, scale: R, in_front: R) -> R {
+    return interpolated_smoothly(t, table, ratio) * in_front * scale * p.inverse_support;
+}
+
+/// Returns the diagonal of `n n`.
+#[inline(always)]
+pub fn normal_diagonal<R: Real>(n: vec3<R>) -> vec3<R> {
+    return vec3(n.x * n.x, n.y * n.y, n.z * n.z);
+}
+
+/// Returns the rest of `n n`: xy, xz, yz.
+#[inline(always)]
+pub fn normal_mixed<R: Real>(n: vec3<R>) -> vec3<R> {
+    return vec3(n.x * n.y, n.x * n.z, n.y * n.z);
+}
+
+/// Returns whether walls in closed form have friction. With artificial viscosity and with the exchange of velocities as
+/// the viscosity they have none.
+#[inline(always)]
+pub fn has_wall_friction(m: &Model) -> bool {
+    return m.viscosity != NO_VISCOSITY && m.viscosity != ARTIFICIAL && m.viscosity != VELOCITY_EXCHANGE;
+}
+
+/// Returns `mu (v - v_w) W1 / d` along a plane, N/m3. Beyond the plane the velocity is continued so that it is that of
+/// the wall at the plane; then the viscosity of Morris et al. 1997 integrates to minus twice this. A negative
+/// `of_wall` stands for the viscosity of the particle.
+#[inline(always)]
+pub fn plane_drag<R: Real>(
+    p: &Parameters,
+    slip: vec3<R>,
+    normal: vec3<R>,
+    height: R,
+    surface: R,
+    of_wall: R,
+    viscosity: R,
+) -> vec3<R> {
+    let mu = select(of_wall, viscosity, less(of_wall, real(0.0)));
+    let along = slip - normal * dot3(slip, normal);
+    return along * (mu * surface * div(height, height * height + p.softening));
+}
+
+/// Returns `sum d W1 n (n . g)`, the part of `T g` that is not `gamma g`.
+#[inline(always)]
+pub fn lever_product<R: Real>(beyond: Beyond<R>, g: vec3<R>) -> vec3<R> {
+    let d = beyond.lever;
+    let o = beyond.lever_mixed;
+    let x = dot3(vec3(d.x, o.x, o.y), g);
+    let y = dot3(vec3(o.x, d.y, o.z), g);
+    return vec3(x, y, dot3(vec3(o.y, o.z, d.z), g));
+}
+
+/// Returns the acceleration by the pressure beyond the walls, m/s2: `2 P_a W1 n / rho_a - d W1 n (n . g)` (with the
+/// symmetric forms). It is to be [`completed`] together with that by the neighbours: then a fluid at rest stays at
+/// rest, since of its weight the neighbours carry the part that lies in front. `own` is the pressure with which the
+/// particle enters its own pressure force, and g the acceleration of the fluid at rest.
+#[inline(always)]
+pub fn wall_push<R: Real>(m: &Model, p: &Parameters, a: Local<R>, own: R, beyond: Beyond<R>, g: vec3<R>) -> vec3<R> {
+    let of_gravity = lever_product(beyond, g);
+    if m.pressure_force == DIFFERENCE {
+        return of_gravity * real(-1.0);
+    }
+    let over_density = inverse_density(m, p, a);
+    if m.pressure_force == CANONICAL {
+        return beyond.surface * (a.pressure * over_density) - of_gravity;
+    }
+    if m.pressure_force == MUELLER || m.pressure_force == MUELLER_ADAPTED {
+        return beyond.surface * ((a.pressure + own) * 0.5 * over_density) - of_gravity;
+    }
+    return beyond.surface * ((a.pressure + own) * over_density) - of_gravity;
+}
+
+/// Returns the acceleration by the friction of the walls, m/s2.
+#[inline(always)]
+pub fn wall_rub<R: Real>(m: &Model, p: &Parameters, a: Local<R>, beyond: Beyond<R>) -> vec3<R> {
+    return beyond.drag * (inverse_density(m, p, a) * -2.0);
+}
+
+/// Returns what the space beyond the walls adds to the gradient of the density deviation before it is renormalised,
+/// `T g / c^2`, 1/m.
+#[inline(always)]
+pub fn deviation_beyond<R: Real>(a: Local<R>, beyond: Beyond<R>, g: vec3<R>) -> vec3<R> {
+    let one: R = real(1.0);
+    return (lever_product(beyond, g) + g * beyond.gamma) * div(one, a.speed_of_sound * a.speed_of_sound);
+}
+
+/// Returns the rate of the density deviation by the walls, `(1 + e) (v_w - v_a) . n W1`, 1/s. It is to be [`completed`]
+/// together with that by the neighbours: then a flow that is linear in space has its exact divergence.
+#[inline(always)]
+pub fn rate_by_walls<R: Real>(deviation: R, beyond: Beyond<R>) -> R {
+    return (deviation + 1.0) * beyond.approach;
+}
+
+/// Returns a sum over the neighbours and the walls, completed by the part of the kernel that lies beyond the walls:
+/// what is there is as in front (Ferrand et al. 2013).
+#[inline(always)]
+pub fn completed<R: Real>(sum: R, gamma: R) -> R {
+    let one: R = real(1.0);
+    return div(sum, one - gamma);
+}
+
+/// Returns an acceleration by the neighbours and the walls, [`completed`].
+#[inline(always)]
+pub fn completed3<R: Real>(sum: vec3<R>, gamma: R) -> vec3<R> {
+    let one: R = real(1.0);
+    return sum * div(one, one - gamma);
+}
