@@ -1,5 +1,5 @@
-//! Promise: the matrix that renormalises a gradient is the inverse of the sum it is computed from, so that a linear field
-//! has its exact gradient; and lambda is the smallest eigenvalue of that sum.
+//! Promise: the matrix that renormalises a gradient is the inverse of the sum it is computed from, so that a linear
+//! field has its exact gradient; and lambda is the smallest eigenvalue of that sum.
 use millpond_core::backend::arithmetic::real::vec3;
 use millpond_core::backend::layout::Model;
 use millpond_core::backend::terms::renormalisation::{renormalised, smallest_eigenvalue, symmetric_determinant};

@@ -1,5 +1,5 @@
-//! Promise: what lies beyond a plane is known to 1e-6; a fluid under pressure pushes on each wall of a closed box with its
-//! pressure, and keeps its momentum between opposite walls; and a wall that slides drags the fluid along.
+//! Promise: what lies beyond a plane is known to 1e-6; a fluid under pressure pushes on each wall of a closed box with
+//! its pressure, and keeps its momentum between opposite walls; and a wall that slides drags the fluid along.
 use millpond_core::backend::derive::plane_integrals::{corner_error, gamma, gamma_of_rows, surface};
 use millpond_core::backend::terms::beyond::{
     DENSITY_GAMMA, DENSITY_SURFACE, PRESSURE_GAMMA, PRESSURE_SURFACE, interpolated_smoothly,
@@ -47,7 +47,8 @@ fn what_lies_beyond_is_known_to_a_millionth() {
                 for (table, exact) in known {
                     let found = f64::from(interpolated_smoothly(&tables[..], table, s as f32));
                     let name = format!("{kernel:?} in {d}D, table {table} at {s}: {found} for {exact}");
-                    // the Gaussian is cut off at 1e-4 of its value, and its integral over a plane ends there like a root
+                    // the Gaussian is cut off at 1e-4 of its value, and its integral over a plane ends there like a
+                    // root
                     let limit = if kernel == Kernel::Gaussian && s > 0.99 { 2e-6 } else { 1e-6 };
                     // beside the interpolation, f32 rounds s and the terms of the cubic
                     assert!((found - exact).abs() < limit * exact.max(1.0) + 4e-7, "{name}");
@@ -97,8 +98,8 @@ fn pressure_pushes_on_every_face() {
                 let force = f64::from(neighbours.force_on_face(*face)[face.axis()]);
                 let outwards = if face.is_high() { force } else { -force };
                 let off = outwards / (pressure * area) - 1.0;
-                // the error of sums over rows on this lattice (0.4 % inside), and of the product in the edges, of which a face
-                // has four in 3D
+                // the error of sums over rows on this lattice (0.4 % inside), and of the product in the edges, of which
+                // a face has four in 3D
                 let most = if dimension == Dimension::Three { 0.04 } else { 0.02 };
                 assert!(off.abs() < most, "{dimension:?} {pressure_force:?} {face:?}: off by {off}");
             }
@@ -117,8 +118,8 @@ fn what_the_fluid_loses_the_faces_feel() {
         let mass = solver.particles().next().expect("a particle").mass;
         let acceleration = |a: &[f32; 4]| Vec3::new(a[0], a[1], a[2]);
         let lost: Vec3 = solver.state().acceleration.iter().map(acceleration).sum::<Vec3>() * -mass;
-        // the planes move no particle in this step, so that the state is the one in which the forces were evaluated, but
-        // for the second half of the velocities
+        // the planes move no particle in this step, so that the state is the one in which the forces were evaluated,
+        // but for the second half of the velocities
         let neighbours = solver.neighbours();
         let felt: Vec3 = Face::ALL.iter().map(|face| neighbours.force_on_face(*face)).sum();
         let largest = Face::ALL.iter().map(|face| neighbours.force_on_face(*face).length()).fold(0.0, f32::max);

@@ -83,10 +83,10 @@ pub struct Formulation {
     /// Coefficient of the shifting, 0 to 1 (default 1). With [`Shifting::Fickian`] it scales the velocity of the
     /// shifting; with [`Shifting::TransportVelocity`] the background pressure is this times `rho0 c0^2`.
     pub shifting_coefficient: f32,
-    /// Speed U of [`Shifting::Fickian`], m/s, larger than 0: about the fastest speed of the flow, as Sun et al. 2017 choose
-    /// it (default `None`: about the largest speed with which the neighbours of a particle approach or leave it. It needs
-    /// no knowledge of the flow, and vanishes where a fluid does not deform; but it shifts too little for a lattice on
-    /// which a flow converges for long).
+    /// Speed U of [`Shifting::Fickian`], m/s, larger than 0: about the fastest speed of the flow, as Sun et al. 2017
+    /// choose it (default `None`: about the largest speed with which the neighbours of a particle approach or leave it.
+    /// It needs no knowledge of the flow, and vanishes where a fluid does not deform; but it shifts too little for a
+    /// lattice on which a flow converges for long).
     pub shifting_speed: Option<f32>,
     /// Shifts particles across the interfaces of fluids, as if all particles were of one fluid (default off: at an
     /// interface particles move along it only). It smears interfaces. Only with [`Shifting::Fickian`].

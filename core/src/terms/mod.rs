@@ -49,9 +49,9 @@ pub mod viscosity;
 pub mod wall;
 pub mod xsph;
 
-texts!(air beyond boundary correction density diffusion elastic exchange external extrapolation geometry internal_energy near
-    neighbour pair pressure renormalisation shifting state
-    support table tension time_step viscosity wall xsph);
+texts!(air beyond boundary correction density diffusion elastic exchange external extrapolation geometry
+    internal_energy near neighbour pair pressure renormalisation shifting state support table tension time_step
+    viscosity wall xsph);
 
 /// Returns the name and text of every file of terms. The order is arbitrary, since WGSL does not depend on it.
 pub fn texts() -> impl Iterator<Item = (&'static str, &'static str)> {

@@ -3,8 +3,8 @@
 //! of the inverse of this matrix shows how close a particle is to a free surface: it is 1 inside the fluid, and 0 for a
 //! particle without neighbours (Marrone et al. 2010).
 //!
-//! The inverse is `sum V_b |grad W| / r x_ab x_ab`. It is symmetric, and given by its diagonal (xx, yy, zz) and the rest
-//! (xy, xz, yz).
+//! The inverse is `sum V_b |grad W| / r x_ab x_ab`. It is symmetric, and given by its diagonal (xx, yy, zz) and the
+//! rest (xy, xz, yz).
 use super::density::*;
 use super::geometry::*;
 use super::neighbour::*;
@@ -25,8 +25,8 @@ pub fn gradient_weight<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<
     return if_same_body(m, a, b, weight);
 }
 
-/// Returns `x` for a neighbour in the same fluid and for a wall particle. For a neighbour in another fluid it returns 0,
-/// unless particles are to be shifted across interfaces.
+/// Returns `x` for a neighbour in the same fluid and for a wall particle. For a neighbour in another fluid it returns
+/// 0, unless particles are to be shifted across interfaces.
 #[inline(always)]
 pub fn if_same_body<R: Real>(m: &Model, a: Local<R>, b: Local<R>, x: R) -> R {
     if m.is_multi_fluid == 0 || m.shifts_interfaces == 1 {
@@ -50,8 +50,8 @@ pub fn inverse_mixed<R: Real>(x_ab: vec3<R>, weight: R) -> vec3<R> {
     return vec3(x_ab.x * x_ab.y * weight, x_ab.x * x_ab.z * weight, x_ab.y * x_ab.z * weight);
 }
 
-/// Returns the contribution of a neighbour to `sum V_b (e_b - e_a) grad W`, the gradient of the density deviation before
-/// it is renormalised, 1/m. Only neighbours of the same fluid and wall particles count.
+/// Returns the contribution of a neighbour to `sum V_b (e_b - e_a) grad W`, the gradient of the density deviation
+/// before it is renormalised, 1/m. Only neighbours of the same fluid and wall particles count.
 #[inline(always)]
 pub fn deviation_gradient<R: Real>(m: &Model, a: Local<R>, b: Local<R>, x_ab: vec3<R>, weight: R) -> vec3<R> {
     let nothing: R = real(0.0);
@@ -137,8 +137,8 @@ pub fn select_in_3d<R: Real>(m: &Model, in_3d: vec3<R>, in_2d: vec3<R>) -> vec3<
     return in_2d;
 }
 
-/// Returns how far inside the fluid a particle is: 0 at a free surface and in the rows beside it, 1 further inside. On a
-/// lattice lambda is 0.5 in the first row and 0.8 in the second (with 32 neighbours in 2D), and above 0.95 inside.
+/// Returns how far inside the fluid a particle is: 0 at a free surface and in the rows beside it, 1 further inside. On
+/// a lattice lambda is 0.5 in the first row and 0.8 in the second (with 32 neighbours in 2D), and above 0.95 inside.
 #[inline(always)]
 pub fn inside_share<R: Real>(lambda: R) -> R {
     return smaller(larger((lambda - 0.8) * 6.6666665, real(0.0)), real(1.0));

@@ -78,9 +78,9 @@ pub fn lambda_gradient<R: Real>(
     return x_ab * select(weight, real(0.0), less(real(0.0), b.wall));
 }
 
-/// Returns the speed U of the shifting, m/s: that of the scene, or about the largest speed with which neighbours approach
-/// or leave, which is taken to be twice the root mean square. Then a fluid that does not deform is not shifted, however
-/// fast it moves.
+/// Returns the speed U of the shifting, m/s: that of the scene, or about the largest speed with which neighbours
+/// approach or leave, which is taken to be twice the root mean square. Then a fluid that does not deform is not
+/// shifted, however fast it moves.
 #[inline(always)]
 pub fn shifting_speed<R: Real>(m: &Model, p: &Parameters, approach2: R) -> R {
     if m.has_shifting_speed == 1 {
@@ -90,8 +90,8 @@ pub fn shifting_speed<R: Real>(m: &Model, p: &Parameters, approach2: R) -> R {
 }
 
 /// Returns the velocity with which a particle is shifted, m/s: `-C H U grad c`, with the coefficient C, the support
-/// radius H, the speed U, and the gradient of the concentration c (Sun et al. 2017). In a step a particle is shifted by a
-/// tenth of the spacing at most.
+/// radius H, the speed U, and the gradient of the concentration c (Sun et al. 2017). In a step a particle is shifted by
+/// a tenth of the spacing at most.
 ///
 /// At a free surface the part along the `normal` is left out, but for that of pairs closer than the spacing, so that
 /// rows can give way to each other where the surface is compressed.

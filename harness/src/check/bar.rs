@@ -1,7 +1,7 @@
-//! The second part of `tensile`: a bar of fluid, four times as long as wide, in nothing and without viscosity, that spins
-//! by one radian. It is stretched, and its pressure is negative throughout. Its kinetic energy and its angular momentum
-//! do not change. Fluid that is stretched tears where particles do not move into the gaps, and where the bar becomes
-//! thinner its rows come together.
+//! The second part of `tensile`: a bar of fluid, four times as long as wide, in nothing and without viscosity, that
+//! spins by one radian. It is stretched, and its pressure is negative throughout. Its kinetic energy and its angular
+//! momentum do not change. Fluid that is stretched tears where particles do not move into the gaps, and where the bar
+//! becomes thinner its rows come together.
 use super::flow::{checked, fluid, grid, heap_for, start_with, step, steps_to};
 use super::recipes::SHIFTED;
 use super::tensile::closest_pair;
@@ -15,7 +15,8 @@ use std::collections::VecDeque;
 
 const NAME: &str = "tensile";
 
-/// Particles along the width of the bar, in a full and in a quick study. The width is 1 m, and the bar turns at 1 rad/s.
+/// Particles along the width of the bar, in a full and in a quick study. The width is 1 m, and the bar turns at 1
+/// rad/s.
 const WIDTHS: [u16; 3] = [25, 50, 100];
 const LENGTH: f32 = 4.0;
 
@@ -34,8 +35,8 @@ const ENERGY: f64 = 0.01;
 const MOMENTUM: f64 = 0.005;
 const CLOSEST: f64 = 0.5;
 
-/// Change of the angular momentum without shifting and tensile control, when all forces are equal and opposite along the
-/// line of a pair: the rounding of 1600 steps.
+/// Change of the angular momentum without shifting and tensile control, when all forces are equal and opposite along
+/// the line of a pair: the rounding of 1600 steps.
 const ROUNDING: f64 = 1e-5;
 
 /// Edge of a cell of the raster on which holes are looked for, in spacings.

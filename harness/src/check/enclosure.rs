@@ -21,8 +21,8 @@ impl Enclosure {
         }
     }
 
-    /// Puts a box around the origin and `high` that is open at these faces, with this viscosity between the walls and the
-    /// fluid (`None`: that of the fluid).
+    /// Puts a box around the origin and `high` that is open at these faces, with this viscosity between the walls and
+    /// the fluid (`None`: that of the fluid).
     pub(super) fn enclose(self, scene: &mut Scene, high: Vec3, open: &[Face], dynamic_viscosity: Option<f32>) {
         let open: heapless::Vec<Face, FACES> = open.iter().copied().collect();
         match self {

@@ -3,8 +3,8 @@
 //!
 //! A lattice follows the stagnation lines of this flow, keeps its order against the shear, and then breaks. Plain SPH
 //! loses most energy there. Shifting cures it, in either form. Without it two things help (the notes of the study show
-//! what was tried). One is a support so wide that single particles matter little. The other is a packing slightly denser
-//! than at rest: without this background pressure some pressures would be negative, and particles clump.
+//! what was tried). One is a support so wide that single particles matter little. The other is a packing slightly
+//! denser than at rest: without this background pressure some pressures would be negative, and particles clump.
 use super::flow::{checked, fluid, grid, heap_for, mean, start_with, step, steps_to};
 use super::recipes::{SHIFTED, WENDLAND};
 use super::{Context, Metric, Outcome};
