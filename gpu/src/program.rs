@@ -61,9 +61,8 @@ pub fn library(model: &Model, intrinsics: Intrinsics) -> String {
 /// Returns the intrinsics, the constants of the scene and its choices.
 fn head(model: &Model, intrinsics: Intrinsics) -> String {
     let mut out = intrinsics.prelude();
-    out += &format!(
-        "const PLANES: u32 = {PLANES}u;\nalias Planes = array<f32x4, {PLANES}>;\nalias MaterialRows = array<f32x4, {MATERIALS}>;\n"
-    );
+    out += &format!("const PLANES: u32 = {PLANES}u;\nalias Planes = array<f32x4, PLANES>;\n");
+    out += &format!("alias MaterialRows = array<f32x4, {MATERIALS}>;\n");
     out +=
         &format!("const QUANTITIES_OF_ID: u32 = {QUANTITIES_OF_ID}u;\nconst MOST_ATTEMPTS: u32 = {MOST_ATTEMPTS}u;\n");
     out += &format!("const MATERIALS: u32 = {MATERIALS}u;\nconst TABLE_ENTRIES: u32 = {TABLE_ENTRIES}u;\n");

@@ -1,4 +1,5 @@
-// Walls in closed form: adds up what lies beyond the planes around a particle. CPU counterpart: core/src/passes/beyond.rs.
+// Walls in closed form: adds up what lies beyond the planes around a particle. CPU counterpart:
+// core/src/passes/beyond.rs.
 fn of_pressure(position: vec3<f32>, velocity: vec3<f32>, support: f32, viscosity: f32) -> Beyond {
   return beyond_of(position, velocity, support, viscosity, PRESSURE_GAMMA, PRESSURE_SURFACE);
 }
