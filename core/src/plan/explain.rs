@@ -2,6 +2,7 @@
 use super::Plan;
 use super::passes::Pass;
 use crate::scene::{PressureSolver, Viscosity};
+use crate::terms::beyond::has_wall_friction;
 use crate::terms::diffusion::RENORMALISED;
 use crate::terms::extrapolation::extrapolates_velocity;
 use crate::terms::shifting::NO_SHIFTING;
@@ -48,6 +49,7 @@ impl Plan {
                 add(if continuity { slope } else { value }, true);
                 add(choice.density_diffusion.terms(), m.density_diffusion != 0);
                 add(&["interpolated"], m.reads_tables());
+                add(&["completed"], m.has_closed_walls == 1);
                 add(&["volume_by_number"], m.has_number_density_volume == 1);
                 add(choice.equation_of_state.terms(), !corrects);
                 add(&choice.near_pressure.terms()[..choice.near_pressure.terms().len().min(1)], m.near_pressure != 0);
@@ -65,6 +67,8 @@ impl Plan {
                 add(&choice.near_pressure.terms()[choice.near_pressure.terms().len().min(1)..], m.near_pressure != 0);
                 add(choice.viscosity.terms(), m.viscosity != 0 && choice.viscosity != Viscosity::VelocityExchange);
                 add(choice.surface_tension.terms(), m.tension != 0 && !m.has_curvature());
+                add(&["wall_push"], m.has_closed_walls == 1 && !corrects);
+                add(&["wall_rub"], m.has_closed_walls == 1 && has_wall_friction(m));
                 add(&["exchange_neighbour"], m.has_velocity_exchange == 1);
                 add(&["weight"], m.has_gravity == 1);
                 add(&["buoyancy"], m.has_buoyancy == 1);
@@ -85,6 +89,7 @@ impl Plan {
             Pass::PressureForce => {
                 add(choice.pressure_force.terms(), true);
                 add(slope, true);
+                add(&["wall_push"], m.has_closed_walls == 1);
             }
             Pass::PressureCorrect => {
                 add(&["continuity_neighbour", "predicted_density_error", "pressure_corrected"], true);
@@ -141,6 +146,7 @@ impl Plan {
             (m.has_wind == 0, "wind", "wind is not set, or its drag is 0"),
             (m.has_acceleration_field == 0, "acceleration field", "acceleration_field is not set"),
             (m.has_container == 0, "penalty planes", "container is not set"),
+            (m.has_closed_walls == 0, "walls in closed form", "container is not set, or container.model is Penalty"),
             (m.wall_particles == 0, "wall particles", "the scene has no walls"),
             (m.is_periodic == 0, "periodic images", "no axis is periodic"),
             (m.has_variable_support == 0, "variable support", "model.variable_support is not set"),

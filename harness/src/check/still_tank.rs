@@ -45,8 +45,7 @@ const FORMS: [Form; 2] = [
     (MIRRORED, DensityForm::Summation, DensityDiffusion::Off),
 ];
 
-/// The forms that keep still for a minute. The first one has the limits below, and a quick study runs only that one,
-/// for a third of the time.
+/// The forms that keep still for a minute. The first one has the limits below, and a quick study runs only that one.
 const STILL: [Form; 2] = [
     (Enclosure::ClosedForm, DensityForm::Continuity, DensityDiffusion::Hydrostatic),
     (EXTRAPOLATED, DensityForm::Continuity, DensityDiffusion::Hydrostatic),
@@ -81,7 +80,6 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let kernel = (Kernel::WendlandC2, 32.0);
     let (spacing, limit, forms) =
         if context.quick { (QUICK_SPACING, QUICK_LIMIT_SQUARED.sqrt(), 1) } else { (SPACING, LIMIT, FORMS.len()) };
-    let minute = if context.quick { MINUTE / 3.0 } else { MINUTE };
     let column = Column { kernel, jitter: 0.0, ..Column::of_reference_case(spacing) };
     let mut figures = Vec::new();
     let mut lines = Vec::new();
@@ -104,14 +102,14 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         }
     }
     for (i, form) in STILL.into_iter().take(forms).enumerate() {
-        let still = rest(context, &column, form, minute)?;
+        let still = rest(context, &column, form, MINUTE)?;
         if i == 0 {
-            let of = |what: &str| format!("{what} after {minute} s, {}", name(form));
+            let of = |what: &str| format!("{what} after {MINUTE} s, {}", name(form));
             figures.push(Metric::below(of("rms speed over sqrt(g H)"), still.speed, STILL_SPEED));
             figures.push(Metric::below(of("largest error of a layer"), still.profile, STILL_PROFILE));
             figures.push(Metric::below(of("particles lost"), still.lost as f64, 0.0));
         }
-        lines.push(line(form, minute, &still));
+        lines.push(line(form, MINUTE, &still));
     }
     let titles = [
         "walls, density, diffusion",

@@ -4,8 +4,8 @@ use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
 use glam::Vec3;
 use millpond_core::scene::{
-    AccelerationField, AdaptiveTimeStep, Air, Fluid, Formulation, Periodic, Plasticity, Scene, Shifting, SupportRange,
-    SurfaceTension, Wall, WallShape, Wind,
+    AccelerationField, AdaptiveTimeStep, Air, Container, Face, Fluid, Formulation, NearPressure, Periodic, PlaneModel,
+    Plasticity, Scene, Shifting, Sliding, SupportRange, SurfaceTension, Wall, WallShape, Wind,
 };
 
 /// Number of particles of a case, and number of steps if it starts.
@@ -56,6 +56,12 @@ const NUMBERS: &[(&str, Number)] = &[
     ("container.high", |s| s.container.as_mut()?.high.as_mut().get_mut(1)),
     ("container.restitution", |s| Some(&mut s.container.as_mut()?.restitution)),
     ("container.slip", |s| Some(&mut s.container.as_mut()?.slip)),
+    ("container.dynamic_viscosity", |s| Some(enclosing(s)?.dynamic_viscosity.get_or_insert(1.0))),
+    ("container.sliding[0].velocity", |s| {
+        let container = enclosing(s)?;
+        container.sliding = [Sliding { face: Face::Floor, velocity: Vec3::ZERO }].into_iter().collect();
+        container.sliding[0].velocity.as_mut().first_mut()
+    }),
     ("walls[0].low", |s| Some(&mut wall(s)?.0[0])),
     ("walls[0].high", |s| Some(&mut wall(s)?.1[0])),
     ("walls[0].velocity", |s| walled(s)?.velocity.as_mut().first_mut()),
@@ -137,6 +143,14 @@ fn pulled(scene: &mut Scene) -> &mut Fluid {
 fn heated(scene: &mut Scene) -> &mut Fluid {
     scene.model.internal_energy = true;
     &mut scene.fluids[0]
+}
+
+/// Makes the container a wall in closed form.
+fn enclosing(scene: &mut Scene) -> Option<&mut Container> {
+    scene.model.near_pressure = NearPressure::Off;
+    let container = scene.container.as_mut()?;
+    container.model = PlaneModel::ClosedForm;
+    Some(container)
 }
 
 fn shifted(scene: &mut Scene) -> &mut Formulation {
