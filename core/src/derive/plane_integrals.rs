@@ -1,6 +1,6 @@
 //! What of a kernel lies beyond a plane at a distance from its centre, and the integral of the kernel over that plane,
 //! by quadrature of the terms.
-use super::kernel_constants::{integral, power, value};
+use super::kernel_constants::{integral, value};
 use crate::scene::Kernel;
 use core::f64::consts::PI;
 
@@ -44,8 +44,8 @@ pub fn gamma_of_rows(kernel: Kernel, d: usize, s: f64, row: f64) -> f64 {
     sum
 }
 
-/// Largest part of a kernel with this slope beyond several planes by which the product of the parts in front of each
-/// differs from the true part: for two planes at right angles, at distances `s` H.
+/// By how much the part of the kernel beyond two planes at right angles, at the distances `s` H, differs from the
+/// product of the parts beyond each of them.
 #[must_use]
 pub fn corner_error(kernel: Kernel, d: usize, s: [f64; 2]) -> f64 {
     // beyond both planes, in slices parallel to the second
@@ -70,5 +70,5 @@ fn slice_beyond(kernel: Kernel, d: usize, u: f64, s: f64) -> f64 {
         let depth = libm::sqrt((radius * radius - t * t).max(0.0));
         if d == 2 { value(kernel, q(0.0)) } else { 2.0 * depth * integral(&|z| value(kernel, q(depth * z))) }
     };
-    kernel.normalisation(d) * (radius - s) * integral(&line) * power(1.0, d)
+    kernel.normalisation(d) * (radius - s) * integral(&line)
 }

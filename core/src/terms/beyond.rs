@@ -1,11 +1,12 @@
 //! Walls in closed form: the part of a kernel that lies beyond a plane `n . x = offset`, whose normal n points towards
-//! the fluid. Beyond the plane the fluid is thought to go on as it is at the particle, with the pressure `P_a + rho_a g
-//! . (x - x_a)` (the semi-analytical walls of Kulasegaram et al. 2004 and Ferrand et al. 2013, for planes).
+//! the fluid (the semi-analytical walls of Kulasegaram et al. 2004 and Ferrand et al. 2013, for planes). Beyond the
+//! plane the fluid is thought to go on as it is at the particle, with the pressure that its weight gives it:
+//! `P_a + rho_a g . (x - x_a)`.
 //!
-//! For a plane at distance d two quantities are enough: `gamma(d)`, the integral of W over the space beyond, and `W1(d)
-//! = -d gamma / dd`, the integral of W over the plane. The integral of `(x - x_a) grad W` over the space beyond is `T =
-//! gamma 1 + d W1 n n`. A sum over neighbours, together with what the plane adds by W1, lacks gamma times its result,
-//! and so is divided by `1 - gamma`. Where several planes are near, the part in front of all of them is the product of
+//! For a plane at distance d two quantities are enough: `gamma(d)`, the integral of W over the space beyond, and
+//! `W1(d) = -d gamma / dd`, the integral of W over the plane. The integral of `(x - x_a) grad W` over the space beyond
+//! is `T = gamma 1 + d W1 n n`. A sum over neighbours, together with what the plane adds by W1, is `1 - gamma` of the
+//! whole, and so is divided by it. Where several planes are near, the part in front of all of them is the product of
 //! the parts in front of each, which is exact for a Gaussian.
 use super::geometry::*;
 use super::pair::*;
@@ -46,8 +47,8 @@ pub fn height_in_front<R: Real>(position: vec3<R>, normal: vec3<R>, offset: R) -
     return larger(dot3(position, normal) - offset, real(0.0));
 }
 
-/// Returns the value of a table at `x`, which is at least 0, by the cubic through the four entries around it. From x =
-/// 1 on it is 0.
+/// Returns the value of a table at `x`, which is at least 0, by the cubic through the four entries around it. From
+/// x = 1 on it is 0.
 #[inline(always)]
 pub fn interpolated_smoothly<R: Real>(t: &Tables, table: u32, x: R) -> R {
     let one: R = real(1.0);
