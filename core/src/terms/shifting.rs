@@ -113,7 +113,12 @@ pub fn fickian_velocity<R: Real>(
     let length = root(length2(normal));
     let unit = normal * select(nothing, div(one, larger(length, real(0.000001))), less(real(0.000001), length));
     let held = unit * (dot3(wanted, unit) * (one - inside_share(lambda)));
-    return limited_shift(p, u, wanted - held + repulsion * rate);
+    let near_surface = wanted - held + repulsion * rate;
+    let inside = concentration * rate;
+    let is_near = less(inside_share(lambda), one);
+    let x = select(inside.x, near_surface.x, is_near);
+    let y = select(inside.y, near_surface.y, is_near);
+    return limited_shift(p, u, vec3(x, y, select(inside.z, near_surface.z, is_near)));
 }
 
 /// Returns the velocity with which a background pressure `P = C rho0 c0^2` would move a particle within a step,

@@ -1,7 +1,7 @@
 //! Computes the velocity with which each particle is shifted in the next step, and adds it to that of XSPH if there is
 //! one. Runs only with shifting.
 use crate::arithmetic::lanes::{Lanes, xyz};
-use crate::arithmetic::real::{real, vec3};
+use crate::arithmetic::real::{less, real, vec3};
 use crate::layout::f32x4;
 use crate::passes::beyond::{self, Front};
 use crate::passes::by_model;
@@ -11,6 +11,7 @@ use crate::passes::local::{own_numbers, particles};
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
 use crate::terms::geometry::flush3;
 use crate::terms::pair::Local;
+use crate::terms::renormalisation::inside_share;
 use crate::terms::shifting::{
     TRANSPORT_VELOCITY, approach_squared, background_gradient, close_repulsion, concentration_gradient,
     fickian_velocity, lambda_gradient, transport_velocity,
@@ -64,15 +65,19 @@ impl Shift<'_> {
             [x, y, z, if m.has_shifting_speed == 0 { approach_squared(m, p, t, a, b) } else { none }]
         });
         let [.., lambda] = group.spread::<R>(self.renormalised);
-        let normal = fold!(group: R, is zero with itself, |slots| {
-            let [.., lambda_b] = R::gather(self.renormalised, slots);
-            let vec3 { x, y, z } = lambda_gradient(m, p, t, a, group.neighbours(slots), lambda, lambda_b);
-            [x, y, z, none]
-        });
-        let repulsion = fold!(group: R, is zero with itself, |slots| {
-            let vec3 { x, y, z } = close_repulsion(m, p, t, a, group.neighbours(slots));
-            [x, y, z, none]
-        });
+        let (mut normal, mut repulsion) = ([none; 4], [none; 4]);
+        // few particles are near a surface
+        if R::any(less(inside_share(lambda), real(1.0))) {
+            normal = fold!(group: R, is zero with itself, |slots| {
+                let [.., lambda_b] = R::gather(self.renormalised, slots);
+                let vec3 { x, y, z } = lambda_gradient(m, p, t, a, group.neighbours(slots), lambda, lambda_b);
+                [x, y, z, none]
+            });
+            repulsion = fold!(group: R, is zero with itself, |slots| {
+                let vec3 { x, y, z } = close_repulsion(m, p, t, a, group.neighbours(slots));
+                [x, y, z, none]
+            });
+        }
         let mut concentration = vec3(x, y, z);
         if m.has_closed_walls == 1 {
             concentration = concentration - beyond::of_pressure(group.setup, Front::of(a)).surface;
