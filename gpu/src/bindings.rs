@@ -103,6 +103,13 @@ pub fn declarations(pass: Pass, model: &Model) -> String {
     out
 }
 
+/// Returns whether a pass sums over pairs. Its text may then read the particles through `particle`.
+#[must_use]
+pub fn sums_over_pairs(pass: Pass) -> bool {
+    let binds = |array| pass.bindings().iter().any(|binding| binding.array == array);
+    binds(Array::cell_start) && binds(Array::support_ratio)
+}
+
 /// Returns whether a pass iterates over pairs whose densities are known. Its text then reads the particles through
 /// `local`.
 #[must_use]

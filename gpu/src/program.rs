@@ -1,6 +1,6 @@
 //! The complete WGSL program of a pass: intrinsics, struct layouts, the choices of the model, arrays, loop, entry
 //! point, and the terms (core's formulas) that these call.
-use crate::bindings::{CELL_BLOCK, declarations, reads_pairs, workgroup};
+use crate::bindings::{CELL_BLOCK, declarations, reads_pairs, sums_over_pairs, workgroup};
 use crate::functions::Functions;
 use millpond_core::backend::layout::{
     MATERIALS, MOST_ATTEMPTS, Materials, Model, PLANES, Parameters, QUANTITIES_OF_ID, StepUniform, TABLE_ENTRIES,
@@ -85,6 +85,9 @@ fn head(model: &Model, intrinsics: Intrinsics) -> String {
 pub fn program(pass: Pass, model: &Model, intrinsics: Intrinsics) -> String {
     let mut out = head(model, intrinsics);
     out += include_str!("shaders/grid.wgsl");
+    if sums_over_pairs(pass) {
+        out += include_str!("shaders/particle.wgsl");
+    }
     if reads_pairs(pass) {
         out += include_str!("shaders/local.wgsl");
     }

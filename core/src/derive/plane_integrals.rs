@@ -43,32 +43,3 @@ pub fn gamma_of_rows(kernel: Kernel, d: usize, s: f64, row: f64) -> f64 {
     }
     sum
 }
-
-/// By how much the part of the kernel beyond two planes at right angles, at the distances `s` H, differs from the
-/// product of the parts beyond each of them.
-#[must_use]
-pub fn corner_error(kernel: Kernel, d: usize, s: [f64; 2]) -> f64 {
-    // beyond both planes, in slices parallel to the second
-    let both = integral(&|x| {
-        let u = s[0] + (1.0 - s[0]) * x;
-        (1.0 - s[0]) * slice_beyond(kernel, d, u, s[1])
-    });
-    let parts = s.map(|s| gamma(kernel, d, s));
-    (both - parts[0] * parts[1]).abs()
-}
-
-/// The integral of the kernel over that part of the plane at the distance `u` H that lies beyond a second plane at
-/// right angles to it, at the distance `s` H; times H.
-fn slice_beyond(kernel: Kernel, d: usize, u: f64, s: f64) -> f64 {
-    let radius = libm::sqrt((1.0 - u * u).max(0.0));
-    if s >= radius {
-        return 0.0;
-    }
-    let line = |x: f64| {
-        let t = s + (radius - s) * x;
-        let q = |z: f64| libm::sqrt(u * u + t * t + z * z).min(1.0);
-        let depth = libm::sqrt((radius * radius - t * t).max(0.0));
-        if d == 2 { value(kernel, q(0.0)) } else { 2.0 * depth * integral(&|z| value(kernel, q(depth * z))) }
-    };
-    kernel.normalisation(d) * (radius - s) * integral(&line)
-}

@@ -55,7 +55,7 @@ macro_rules! with_passes {
             /// need them).
             Renormalise: c_density / renormalise, particles, reads, if |m| m.renormalises(), [
                 read cell_start, read position@new, read velocity@new, read previous_density_pressure,
-                read support_ratio, write renormalised_gradient];
+                read support_ratio, read acceleration_field, write renormalised_gradient];
             /// Computes density, pressure and volume.
             Density: c_density / density, particles, reads, if |_| true, [
                 read cell_start, read position@new, read velocity@new, read previous_density_pressure,

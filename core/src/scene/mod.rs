@@ -5,8 +5,11 @@
 mod adjustable;
 mod air;
 mod choice;
+mod container;
+mod dimension;
 mod elasticity;
 mod fluid;
+mod grid;
 mod initial;
 #[cfg(feature = "serde")]
 mod list;
@@ -18,16 +21,18 @@ mod time;
 pub use adjustable::Adjustable;
 pub use air::Air;
 pub use choice::{
-    DensityDiffusion, DensityForm, Dimension, EquationOfState, Evaluation, FACES, Face, GridStructure, Integrator,
-    Iteration, Kernel, NearPressure, PlaneModel, PressureForce, PressureSolver, Reflection, Shifting, SurfaceTension,
-    Traversal, Viscosity, WallPressure,
+    DensityDiffusion, DensityForm, EquationOfState, Evaluation, Integrator, Iteration, Kernel, NearPressure,
+    PressureForce, PressureSolver, Shifting, SurfaceTension, Viscosity, WallPressure,
 };
+pub use container::{Container, FACES, Face, PlaneModel, Reflection, Sliding};
+pub use dimension::Dimension;
 pub use elasticity::{Elasticity, Plasticity};
 pub use fluid::{Block, FLUIDS, Fluid};
+pub use grid::{Grid, GridStructure, Traversal};
 pub use initial::InitialParticle;
 pub use model::{Correction, Formulation, SupportRange};
 pub use recovery::Recovery;
-pub use surroundings::{AccelerationField, Container, Grid, Periodic, Sliding, WALLS, Wall, WallShape, Wind};
+pub use surroundings::{AccelerationField, Periodic, WALLS, Wall, WallShape, Wind};
 pub use time::AdaptiveTimeStep;
 
 use crate::error::SceneError;

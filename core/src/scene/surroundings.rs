@@ -1,82 +1,10 @@
-//! Container, walls, periodic domain, wind and acceleration field of a scene, and the grid of its neighbour search.
-use super::choice::{FACES, Face, GridStructure, PlaneModel, Reflection, Traversal};
+//! Walls of particles, periodic domain, wind and acceleration field of a scene.
+use super::container::{FACES, Face};
 use glam::Vec3;
 use heapless::Vec;
 
 /// Largest number of walls in a scene.
 pub const WALLS: usize = 8;
-
-/// A box of planes. A particle found behind a plane is put back onto it, and its velocity is reflected (penalty planes;
-/// Pirovano, section 3.5.1). With [`PlaneModel::ClosedForm`] the fluid also feels the planes before it comes to them.
-/// There are no planes along a periodic axis, and in 2D none along z.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
-pub struct Container {
-    /// Lowest corner, m.
-    pub low: Vec3,
-    /// Highest corner, m; larger than `low` along every axis.
-    pub high: Vec3,
-    /// Coefficient of restitution: share of the normal velocity that remains after a reflection, 0 to 1 (default 0, no
-    /// bounce).
-    #[cfg_attr(feature = "serde", serde(default, alias = "bounce"))]
-    pub restitution: f32,
-    /// Share of the tangential velocity that remains after a reflection, from 0 (no slip) to 1 (free slip; default 1).
-    #[cfg_attr(feature = "serde", serde(default = "default_slip"))]
-    pub slip: f32,
-    /// Whether the restitution applies in full or in proportion to the depth behind the plane (default in proportion,
-    /// which conserves energy).
-    #[cfg_attr(feature = "serde", serde(default))]
-    pub reflection: Reflection,
-    /// Faces without a plane, such as the lid (Pirovano's direction control; default none).
-    #[cfg_attr(feature = "serde", serde(default))]
-    pub open: Vec<Face, FACES>,
-    /// How the fluid feels the planes before it comes to them (default not at all).
-    #[cfg_attr(feature = "serde", serde(default))]
-    pub model: PlaneModel,
-    /// Dynamic viscosity between a plane and a fluid particle, Pa s, 0 or more (default `None`: that of the fluid
-    /// particle, which means no slip; 0 means free slip). Only with [`PlaneModel::ClosedForm`]. With
-    /// [`Viscosity::Artificial`](super::Viscosity::Artificial) and
-    /// [`Viscosity::VelocityExchange`](super::Viscosity::VelocityExchange) the planes have free slip.
-    #[cfg_attr(feature = "serde", serde(default))]
-    pub dynamic_viscosity: Option<f32>,
-    /// Faces that slide, as if they were endless conveyor belts (default none). Only with [`PlaneModel::ClosedForm`].
-    #[cfg_attr(feature = "serde", serde(default))]
-    pub sliding: Vec<Sliding, FACES>,
-}
-
-/// A face of the container that slides.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
-pub struct Sliding {
-    /// The face.
-    pub face: Face,
-    /// Its velocity, m/s. The component along the normal of the face must be 0.
-    pub velocity: Vec3,
-}
-
-#[cfg(feature = "serde")]
-fn default_slip() -> f32 {
-    1.0
-}
-
-impl Container {
-    /// Returns a closed box without bounce and with free slip.
-    #[must_use]
-    pub fn closed(low: impl Into<Vec3>, high: impl Into<Vec3>) -> Container {
-        let (low, high) = (low.into(), high.into());
-        Container {
-            low,
-            high,
-            restitution: 0.0,
-            slip: 1.0,
-            reflection: Reflection::default(),
-            open: Vec::new(),
-            model: PlaneModel::default(),
-            dynamic_viscosity: None,
-            sliding: Vec::new(),
-        }
-    }
-}
 
 /// A wall of fixed particles. They are neighbours of the fluid particles in every sum, so the wall exerts pressure and
 /// viscous drag. It has two layers with mirrored pressure (Hinsch 2024, section 6.3) and three as dynamic boundary
@@ -175,27 +103,4 @@ pub struct AccelerationField {
     /// Number of nodes along x, y, z: at least 2 each, at most 2^22 in all (64 MiB). In 2D the number along z is
     /// ignored.
     pub counts: [u32; 3],
-}
-
-/// The grid of the neighbour search. A cell is a little longer than the support radius. Cell indices wrap around, so
-/// the simulated volume is unbounded.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
-pub struct Grid {
-    /// Number of cells along x, y, z, at least 3 each (default 32 each, Pirovano, section 4.2.2). In 2D the number
-    /// along z is ignored, and along a periodic axis as many cells are used as fit. The product, times the places per
-    /// cell of [`GridStructure::CellLists`], must be less than 2^31. If there are too few cells, particles that are
-    /// far apart share cells, which costs time. The number of cells never changes a bit with the full stencil; with
-    /// the half stencil it does, because the order of summation follows the cells.
-    pub cells: [u32; 3],
-    /// How particles are sorted into cells (default index sort).
-    pub structure: GridStructure,
-    /// How the neighbours of a particle are visited (default full stencil).
-    pub traversal: Traversal,
-}
-
-impl Default for Grid {
-    fn default() -> Self {
-        Grid { cells: [32, 32, 32], structure: GridStructure::IndexSort, traversal: Traversal::FullStencil }
-    }
 }

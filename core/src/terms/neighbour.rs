@@ -51,6 +51,24 @@ pub fn along_pair<R: Real>(p: &Parameters, push: R, q: R, scale: R) -> R {
     return if_inside(q, over_distance(push * scale * p.inverse_support, q));
 }
 
+/// Returns `V |grad W| / r` of the pressure kernel for a pair, 1/m2 with a volume in m3 (m2 in 2D): then `-x_ab` times it
+/// is `V grad W`.
+#[inline(always)]
+pub fn volume_gradient<R: Real>(
+    m: &Model,
+    p: &Parameters,
+    t: &Tables,
+    a: Local<R>,
+    b: Local<R>,
+    x_ab: vec3<R>,
+    volume: R,
+) -> R {
+    let scale = pair_scale(m, a.support, b.support);
+    let q = root(squared_ratio(m, p, x_ab, scale));
+    let slope = slope_scaled(m, pressure_slope(m, t, q), scale) * p.pressure_constant;
+    return along_pair(p, volume * slope, q, scale);
+}
+
 /// Returns the force density of pressure alone on `a`, N/m3.
 #[inline(always)]
 pub fn pressure_neighbour<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>) -> vec3<R> {

@@ -9,7 +9,6 @@ use super::density::*;
 use super::geometry::*;
 use super::neighbour::*;
 use super::pair::*;
-use super::table::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters, Tables};
 
@@ -18,11 +17,15 @@ use crate::layout::{Model, Parameters, Tables};
 /// the previous step.
 #[inline(always)]
 pub fn gradient_weight<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>, x_ab: vec3<R>) -> R {
-    let scale = pair_scale(m, a.support, b.support);
-    let q = root(squared_ratio(m, p, x_ab, scale));
-    let slope = slope_scaled(m, pressure_slope(m, t, q), scale) * p.pressure_constant;
-    let weight = along_pair(p, slope * volume_close(p, b.mass, b.deviation), q, scale);
-    return if_same_body(m, a, b, weight);
+    let volume = volume_close(p, b.mass, b.deviation);
+    return if_same_body(m, a, b, volume_gradient(m, p, t, a, b, x_ab, volume));
+}
+
+/// Returns a number above 0 for a neighbour in another fluid, and 0 for one in the same fluid and for a wall particle.
+#[inline(always)]
+pub fn apart_by_fluid<R: Real>(a: Local<R>, b: Local<R>) -> R {
+    let nothing: R = real(0.0);
+    return select(abs(a.fluid - b.fluid), nothing, less(nothing, b.wall));
 }
 
 /// Returns `x` for a neighbour in the same fluid and for a wall particle. For a neighbour in another fluid it returns
@@ -33,8 +36,7 @@ pub fn if_same_body<R: Real>(m: &Model, a: Local<R>, b: Local<R>, x: R) -> R {
         return x;
     }
     let nothing: R = real(0.0);
-    let apart = select(abs(a.fluid - b.fluid), nothing, less(nothing, b.wall));
-    return select(x, nothing, less(nothing, apart));
+    return select(x, nothing, less(nothing, apart_by_fluid(a, b)));
 }
 
 /// Returns the diagonal of a neighbour's contribution to the inverse of the matrix; `weight` is the
@@ -55,12 +57,11 @@ pub fn inverse_mixed<R: Real>(x_ab: vec3<R>, weight: R) -> vec3<R> {
 #[inline(always)]
 pub fn deviation_gradient<R: Real>(m: &Model, a: Local<R>, b: Local<R>, x_ab: vec3<R>, weight: R) -> vec3<R> {
     let nothing: R = real(0.0);
-    let apart = select(abs(a.fluid - b.fluid), nothing, less(nothing, b.wall));
-    let difference = a.deviation - b.deviation;
-    if m.has_materials == 0 {
-        return x_ab * (difference * weight);
+    let difference = (a.deviation - b.deviation) * weight;
+    if m.is_multi_fluid == 0 {
+        return x_ab * difference;
     }
-    return x_ab * select(difference * weight, nothing, less(nothing, apart));
+    return x_ab * select(difference, nothing, less(nothing, apart_by_fluid(a, b)));
 }
 
 /// Returns a step of Newton's method towards the smallest root of `x^3 - 3 x = 2 r`, from its left.

@@ -16,35 +16,31 @@ pub const FICKIAN: u32 = 1;
 /// Transport velocity by a background pressure (Adami et al. 2013).
 pub const TRANSPORT_VELOCITY: u32 = 2;
 
+/// Returns `(W / W(dx))^4` of a pair, where dx is the particle spacing (Monaghan 2000).
+#[inline(always)]
+pub fn closeness<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>, x_ab: vec3<R>) -> R {
+    let q2 = squared_ratio(m, p, x_ab, pair_scale(m, a.support, b.support));
+    let ratio = density_kernel(m, t, q2) * p.inverse_kernel_at_spacing;
+    let ratio2 = ratio * ratio;
+    return ratio2 * ratio2;
+}
+
 /// Returns the contribution of a neighbour to the gradient of the concentration of particles,
-/// `sum V_b (1 + 0.2 (W / W(dx))^4) grad W`, 1/m (Lind et al. 2012). The second term, by Monaghan 2000, keeps pairs
-/// apart.
+/// `sum V_b (1 + 0.2 (W / W(dx))^4) grad W`, 1/m (Lind et al. 2012). The second term keeps pairs apart.
 #[inline(always)]
 pub fn concentration_gradient<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>) -> vec3<R> {
     let x_ab = separation(m, p, a.position, b.position);
-    let scale = pair_scale(m, a.support, b.support);
-    let q2 = squared_ratio(m, p, x_ab, scale);
-    let q = root(q2);
-    let slope = slope_scaled(m, pressure_slope(m, t, q), scale) * p.pressure_constant;
-    let ratio = density_kernel(m, t, q2) * p.inverse_kernel_at_spacing;
-    let ratio2 = ratio * ratio;
-    let weight = (ratio2 * ratio2 * 0.2 + 1.0) * neighbour_volume(m, a, b) * slope;
-    return x_ab * -(along_pair(p, weight, q, scale));
+    let weight = closeness(m, p, t, a, b, x_ab) * 0.2 + 1.0;
+    return x_ab * -(volume_gradient(m, p, t, a, b, x_ab, weight * neighbour_volume(m, a, b)));
 }
 
-/// Returns the part of a neighbour's contribution to [`concentration_gradient`] by which it exceeds that of a neighbour
-/// at the distance of the spacing, for its second term.
+/// Returns the part of a neighbour's contribution to [`concentration_gradient`] by which its second term exceeds that
+/// of a neighbour at the distance of the spacing.
 #[inline(always)]
 pub fn close_repulsion<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>) -> vec3<R> {
     let x_ab = separation(m, p, a.position, b.position);
-    let scale = pair_scale(m, a.support, b.support);
-    let q2 = squared_ratio(m, p, x_ab, scale);
-    let q = root(q2);
-    let slope = slope_scaled(m, pressure_slope(m, t, q), scale) * p.pressure_constant;
-    let ratio = density_kernel(m, t, q2) * p.inverse_kernel_at_spacing;
-    let ratio2 = ratio * ratio;
-    let excess = larger(ratio2 * ratio2 - 1.0, real(0.0));
-    return x_ab * -(along_pair(p, excess * 0.2 * neighbour_volume(m, a, b) * slope, q, scale));
+    let weight = larger(closeness(m, p, t, a, b, x_ab) - 1.0, real(0.0)) * 0.2;
+    return x_ab * -(volume_gradient(m, p, t, a, b, x_ab, weight * neighbour_volume(m, a, b)));
 }
 
 /// Returns the contribution of a neighbour to the square of the speed with which neighbours approach or leave,
@@ -133,12 +129,9 @@ pub fn transport_velocity<R: Real>(m: &Model, p: &Parameters, u: &StepUniform, a
 #[inline(always)]
 pub fn background_gradient<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>) -> vec3<R> {
     let x_ab = separation(m, p, a.position, b.position);
-    let scale = pair_scale(m, a.support, b.support);
-    let q = root(squared_ratio(m, p, x_ab, scale));
-    let slope = slope_scaled(m, pressure_slope(m, t, q), scale) * p.pressure_constant;
     let volume_b = neighbour_volume(m, a, b);
     let volumes = a.volume + volume_b * div(volume_b, a.volume);
-    return x_ab * -(along_pair(p, volumes * slope, q, scale));
+    return x_ab * -(volume_gradient(m, p, t, a, b, x_ab, volumes));
 }
 
 /// Returns a velocity, made shorter if it would move a particle by more than a tenth of the spacing in a step.
@@ -150,7 +143,8 @@ pub fn limited_shift<R: Real>(p: &Parameters, u: &StepUniform, velocity: vec3<R>
 }
 
 /// Returns the pressure with which a particle enters its own pressure force, Pa. Inside the fluid a negative pressure
-/// changes its sign, so that pairs exchange `P_b - P_a` and do not attract each other (Sun et al. 2018).
+/// changes its sign, so that pairs exchange `P_b - P_a` and do not attract each other (Sun et al. 2018). Inside is where
+/// lambda is above 0.9, between its values in the second row and further inside (see [`inside_share`]).
 #[inline(always)]
 pub fn pressure_without_tension<R: Real>(pressure: R, lambda: R) -> R {
     let is_inside = less(real(0.9), lambda);

@@ -6,6 +6,7 @@ use crate::layout::f32x4;
 use crate::passes::beyond::{self, Front};
 use crate::passes::by_model;
 use crate::passes::context::Step;
+use crate::passes::field;
 use crate::passes::group::{Group, fold};
 use crate::passes::local::{Particles, particles};
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
@@ -84,7 +85,10 @@ impl PairPass for Renormalise {
             });
             let mut sum_beyond = vec3(none, none, none);
             if let Some(beyond) = beyond {
-                let g = weight(m, p, group.setup.uniform, density_ratio(m, a.deviation, a.rest_ratio));
+                let mut g = weight(m, p, group.setup.uniform, density_ratio(m, a.deviation, a.rest_ratio));
+                if m.has_acceleration_field == 1 {
+                    g = g + field::at(group.setup, a.position);
+                }
                 sum_beyond = deviation_beyond(a, beyond, g);
             }
             gradient = renormalised(m, diagonal, mixed, lambda, xyz(sum) + sum_beyond);

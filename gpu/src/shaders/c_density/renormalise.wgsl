@@ -1,16 +1,6 @@
 // Computes the renormalised gradient of the density before the step, and the smallest eigenvalue lambda of the inverse
 // of the matrix that renormalises.
-fn before(i: u32) -> Local {
-  let x = new_position[i];
-  let v = new_velocity[i];
-  let state = previous_density_pressure[i];
-  let own = properties_of(v.w);
-  let states = materials.states[material_index(v.w)];
-  var support = 1.0f;
-  if m.has_variable_support == 1u { support = support_ratio[i]; }
-  return Local(x.xyz, v.xyz, support, x.w, state.x, state.y, state.z, state.w,
-    own.x, own.y, own.z, own.w, states.z, states.w, 0.0f);
-}
+fn before(i: u32) -> Local { return particle(i, previous_density_pressure[i]); }
 
 fn pass_body(i: u32) {
   if i >= p.particle_count || head.status.failed != 0u { return; }
@@ -28,12 +18,12 @@ fn pass_body(i: u32) {
     let end = cell_start[c] + head.counter[c];
     for (var j = cell_start[c]; j < end; j += 1u) {
       let b = before(j);
-      let x_ab = separation(a.position, b.position);
-      if less(squared_ratio(x_ab, pair_scale(a.support, b.support)), 1.0f) {
-        let weight = gradient_weight(a, b, x_ab);
-        diagonal = diagonal + inverse_diagonal(x_ab, weight);
-        mixed = mixed + inverse_mixed(x_ab, weight);
-        if m.density_diffusion == RENORMALISED { sum = sum + deviation_gradient(a, b, x_ab, weight); }
+      if is_near(a, b) {
+        let x_ab = separation(a.position, b.position);
+        let of_pair = gradient_weight(a, b, x_ab);
+        diagonal = diagonal + inverse_diagonal(x_ab, of_pair);
+        mixed = mixed + inverse_mixed(x_ab, of_pair);
+        if m.density_diffusion == RENORMALISED { sum = sum + deviation_gradient(a, b, x_ab, of_pair); }
       }
     }
   }
@@ -46,7 +36,9 @@ fn pass_body(i: u32) {
     let beyond = of_pressure(a.position, a.velocity, a.support, a.viscosity);
     diagonal = diagonal + beyond.lever + vec3(beyond.gamma, beyond.gamma, beyond.gamma);
     mixed = mixed + beyond.lever_mixed;
-    sum_beyond = deviation_beyond(a, beyond, weight(density_ratio(a.deviation, a.rest_ratio)));
+    var g = weight(density_ratio(a.deviation, a.rest_ratio));
+    if m.has_acceleration_field == 1u { g = g + field_at(a.position); }
+    sum_beyond = deviation_beyond(a, beyond, g);
   }
   let lambda = smallest_eigenvalue(diagonal, mixed);
   var gradient = vec3(0.0f, 0.0f, 0.0f);

@@ -12,6 +12,7 @@ fn pass_body(i: u32) {
   var repulsion = vec3(0.0f, 0.0f, 0.0f);
   var normal = vec3(0.0f, 0.0f, 0.0f);
   var approach2 = 0.0f;
+  let is_near_surface = less(inside_share(renormalised_gradient[i].w), 1.0f);
   for (var k = 0u; k < stencil_cells(); k += 1u) {
     let c = stencil_cell(own, k);
     let end = cell_start[c] + head.counter[c];
@@ -20,9 +21,11 @@ fn pass_body(i: u32) {
       if is_near(a, b) {
         if m.shifting == FICKIAN {
           concentration = concentration + concentration_gradient(a, b);
-          repulsion = repulsion + close_repulsion(a, b);
           if m.has_shifting_speed == 0u { approach2 = approach2 + approach_squared(a, b); }
-          normal = normal + lambda_gradient(a, b, renormalised_gradient[i].w, renormalised_gradient[j].w);
+          if is_near_surface {
+            normal = normal + lambda_gradient(a, b, renormalised_gradient[i].w, renormalised_gradient[j].w);
+            repulsion = repulsion + close_repulsion(a, b);
+          }
         }
         if m.shifting == TRANSPORT_VELOCITY { concentration = concentration + background_gradient(a, b); }
       }
