@@ -16,7 +16,8 @@ use millpond_core::OwnedMemory;
 use millpond_core::Solver;
 use millpond_core::backend::derive::support_radius;
 use millpond_core::scene::{
-    Block, Dimension, Face, Fluid, Formulation, Kernel, Periodic, Scene, Viscosity, Wall, WallShape,
+    Block, Container, Dimension, Face, Fluid, Formulation, Kernel, Periodic, PlaneModel, Scene, Sliding, Viscosity,
+    Wall, WallShape,
 };
 
 /// Rest density, kg/m3, and dynamic viscosity, Pa s. The kinematic viscosity is 1 m2/s.
@@ -83,27 +84,53 @@ pub(super) fn couette(context: &Context) -> Result<Outcome, Failure> {
     run(context, &Drive { name: "couette", series, scale, force: 0.0, lid: LID, table, table_scale: 1.25e-5 })
 }
 
+/// Kinds of walls with which each resolution is run. The first one has the limit of convergence.
+const WALLS: [PlaneKind; 2] = [PlaneKind::Particles, PlaneKind::ClosedForm];
+
+/// A kind of the two planes of the channel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum PlaneKind {
+    Particles,
+    ClosedForm,
+}
+
 fn run(context: &Context, drive: &Drive) -> Result<Outcome, Failure> {
     let times = if context.quick { &TIMES[..QUICK_TIMES] } else { &TIMES[..] };
     let mut errors = Vec::new();
-    for across in ACROSS {
-        errors.push(errors_of(context, drive, across, times)?);
+    for kind in WALLS {
+        for across in ACROSS {
+            errors.push(errors_of(context, drive, across, kind, times)?);
+        }
     }
     let worst: Vec<f64> = errors.iter().map(|errors| errors.iter().copied().fold(0.0, larger)).collect();
-    let [coarse, fine] = [0, 1].map(|i| worst.get(i).copied().unwrap_or(f64::NAN));
+    let [coarse, fine, _, closed] = [0, 1, 2, 3].map(|i| worst.get(i).copied().unwrap_or(f64::NAN));
     let figures = vec![
         Metric::below("series against the reference table", series_error(drive)?, SERIES_LIMIT),
         Metric::below(format!("largest error over u_max, {} particles across", ACROSS[1]), fine, LIMIT),
         Metric::below(format!("that error over the error with {} particles across", ACROSS[0]), fine / coarse, 1.0),
+        Metric::below(
+            format!("largest error over u_max, {} particles across, walls in closed form", ACROSS[1]),
+            closed,
+            LIMIT,
+        ),
     ];
     let percent = |i: usize, time: usize| format!("{:.2} %", errors[i][time] * 100.0);
-    let lines = times.iter().enumerate().map(|(time, t)| [format!("{t}"), percent(0, time), percent(1, time)]);
-    let titles = ["t, s", "error over u_max, 25 particles across", "50 particles across"];
+    let lines = times
+        .iter()
+        .enumerate()
+        .map(|(time, t)| [format!("{t}"), percent(0, time), percent(1, time), percent(2, time), percent(3, time)]);
+    let titles = [
+        "t, s",
+        "error over u_max, 25 particles across",
+        "50 particles across",
+        "25 particles across, walls in closed form",
+        "50 particles across, walls in closed form",
+    ];
     let order = format!("Observed order of the largest error: {:.2}.", (coarse / fine).log2());
     Ok(Outcome::new(drive.name, figures, vec![table(titles, lines), order]))
 }
 
-fn scene(drive: &Drive, across: u16) -> Scene {
+fn scene(drive: &Drive, across: u16, kind: PlaneKind) -> Scene {
     let spacing = 1.0 / f32::from(across);
     let length = f32::from(ALONG) * spacing;
     let fluid = Fluid {
@@ -118,10 +145,21 @@ fn scene(drive: &Drive, across: u16) -> Scene {
     let h = support_radius(&scene) / 2.0;
     scene.time_step = (DIFFUSION * h * h * f64::from(REST_DENSITY / VISCOSITY)) as f32;
     scene.gravity = Vec3::new(drive.force, 0.0, 0.0);
-    scene.periodic = Some(Periodic { low: Vec3::ZERO, high: Vec3::new(length, 1.0, 0.0), axes: [true, false, false] });
+    let high = Vec3::new(length, 1.0, 0.0);
+    scene.periodic = Some(Periodic { low: Vec3::ZERO, high, axes: [true, false, false] });
+    let slides = Vec3::new(drive.lid, 0.0, 0.0);
     let plane = |face, y| WallShape::Plane { face, low: Vec3::new(0.0, y, 0.0), high: Vec3::new(length, y, 0.0) };
-    let wall = |face, y, speed| Wall { velocity: Vec3::new(speed, 0.0, 0.0), ..Wall::still(plane(face, y)) };
-    scene.walls = [wall(Face::Floor, 0.0, 0.0), wall(Face::Ceiling, 1.0, drive.lid)].into_iter().collect();
+    let wall = |face, y, velocity| Wall { velocity, ..Wall::still(plane(face, y)) };
+    match kind {
+        PlaneKind::Particles => {
+            scene.walls = [wall(Face::Floor, 0.0, Vec3::ZERO), wall(Face::Ceiling, 1.0, slides)].into_iter().collect();
+        }
+        PlaneKind::ClosedForm => {
+            let model = PlaneModel::ClosedForm;
+            let sliding = [Sliding { face: Face::Ceiling, velocity: slides }].into_iter().collect();
+            scene.container = Some(Container { model, sliding, ..Container::closed(Vec3::ZERO, high) });
+        }
+    }
     scene.model = Formulation {
         density_kernel: Kernel::CubicSpline,
         pressure_kernel: Kernel::CubicSpline,
@@ -135,8 +173,14 @@ fn scene(drive: &Drive, across: u16) -> Scene {
 }
 
 /// Returns the error of the profile at each time, over the largest exact speed at that time.
-fn errors_of(context: &Context, drive: &Drive, across: u16, times: &[f64]) -> Result<Vec<f64>, Failure> {
-    let scene = scene(drive, across);
+fn errors_of(
+    context: &Context,
+    drive: &Drive,
+    across: u16,
+    kind: PlaneKind,
+    times: &[f64],
+) -> Result<Vec<f64>, Failure> {
+    let scene = scene(drive, across, kind);
     let scene = checked(drive.name, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(drive.name, &scene, scene.initial_particles().collect(), &mut heap)?;
