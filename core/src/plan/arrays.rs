@@ -2,6 +2,7 @@
 //! exists. Views, memory requirements, GPU buffers and bindings, comparisons and saved bytes are all derived from it.
 use crate::layout::{Model, f32x4, u32x2, u32x4};
 use crate::terms::integrate::{has_history, needs_predicted_velocity, needs_start_acceleration};
+use crate::terms::shifting::drifts;
 use crate::terms::wall::EXTRAPOLATED;
 
 /// Hands the table to a macro. A row is: name, for [`State`](crate::memory::State) the quantity that errors name,
@@ -32,7 +33,7 @@ macro_rules! with_arrays {
                 /// ([`QUANTITIES`](crate::layout::QUANTITIES)).
                 density_pressure as Density: f32x4 per Particle, if |_| true;
                 /// Velocity that is added to a particle's own to move it, m/s; w unused. Only with XSPH or shifting.
-                drift_velocity as DriftVelocity: f32x4 per Particle, if |m| m.drifts();
+                drift_velocity as DriftVelocity: f32x4 per Particle, if |m| drifts(m);
                 /// Internal energy, J/kg, and its rate, W/kg; z and w unused. Only in scenes that track internal
                 /// energy.
                 internal_energy as InternalEnergy: f32x4 per Particle, if |m| m.has_internal_energy == 1,

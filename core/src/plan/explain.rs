@@ -5,7 +5,7 @@ use crate::scene::{PressureSolver, Viscosity};
 use crate::terms::beyond::has_wall_friction;
 use crate::terms::diffusion::RENORMALISED;
 use crate::terms::extrapolation::extrapolates_velocity;
-use crate::terms::shifting::NO_SHIFTING;
+use crate::terms::shifting::{NO_SHIFTING, drifts};
 use crate::terms::{density, integrate, tension};
 use heapless::Vec;
 
@@ -40,7 +40,7 @@ impl Plan {
         match pass {
             Pass::IntegrateBefore => {
                 add(&choice.integrator.terms()[..1], true);
-                add(&["drift"], m.drifts());
+                add(&["drift"], drifts(m));
                 add(&["wrap"], m.is_periodic == 1);
             }
             Pass::Support => add(&["support_close"], true),

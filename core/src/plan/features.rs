@@ -5,7 +5,7 @@ use crate::terms::correction::PRESSURE_CORRECTION;
 use crate::terms::density::{counts_masses, is_stepped};
 use crate::terms::diffusion::RENORMALISED;
 use crate::terms::integrate::{SEMI_IMPLICIT_EULER, knows_velocity};
-use crate::terms::shifting::{FICKIAN, NO_SHIFTING};
+use crate::terms::shifting::FICKIAN;
 use crate::terms::table::DIRECT;
 use crate::terms::tension::{CURVATURE, NORMAL_CURVATURE};
 
@@ -20,12 +20,6 @@ impl Model {
     #[must_use]
     pub fn corrects_pressure(&self) -> bool {
         self.pressure_solver == PRESSURE_CORRECTION
-    }
-
-    /// Returns whether particles move with a velocity in addition to their own (XSPH, shifting).
-    #[must_use]
-    pub fn drifts(&self) -> bool {
-        self.has_xsph == 1 || self.shifting != NO_SHIFTING
     }
 
     /// Returns whether a step computes renormalised gradients and the eigenvalue lambda.

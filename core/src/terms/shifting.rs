@@ -16,6 +16,12 @@ pub const FICKIAN: u32 = 1;
 /// Transport velocity by a background pressure (Adami et al. 2013).
 pub const TRANSPORT_VELOCITY: u32 = 2;
 
+/// Returns whether particles move with a velocity in addition to their own (XSPH, shifting).
+#[inline(always)]
+pub fn drifts(m: &Model) -> bool {
+    return m.has_xsph == 1 || m.shifting != NO_SHIFTING;
+}
+
 /// Returns `(W / W(dx))^4` of a pair, where dx is the particle spacing (Monaghan 2000).
 #[inline(always)]
 pub fn closeness<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>, x_ab: vec3<R>) -> R {

@@ -9,6 +9,7 @@ use crate::memory::{Sorting, State};
 use crate::passes::context::{Setup, Step, sorting};
 use crate::passes::lanes::{load, load_if_any, row_of, store_xyz};
 use crate::terms::integrate::{drift, moved, velocity_for_forces, wrap};
+use crate::terms::shifting::drifts;
 use crate::terms::wall::only_if_free;
 use core::ops::Range;
 
@@ -54,7 +55,7 @@ impl Work for &mut Job<'_> {
             let a = load(old.acceleration, first, last);
             let history = load_if_any(old.history, first, last);
             let mut place = moved(m, u, x, v, a, history);
-            if m.drifts() {
+            if drifts(m) {
                 place = drift(place, load(old.drift_velocity, first, last), real(u.time_step));
             }
             if m.wall_particles != 0 || m.has_air == 1 {

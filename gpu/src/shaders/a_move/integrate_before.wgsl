@@ -8,7 +8,7 @@ fn pass_body(a: u32) {
   var history = vec3(0.0f, 0.0f, 0.0f);
   if has_history() { history = old_history[a].xyz; }
   var place = moved(x.xyz, v.xyz, acceleration, history);
-  if m.has_xsph == 1u || m.shifting != NO_SHIFTING { place = drift(place, old_drift_velocity[a].xyz, u.time_step); }
+  if drifts() { place = drift(place, old_drift_velocity[a].xyz, u.time_step); }
   place = wrap(only_if_free(x.xyz, place, properties_of(v.w).y));
   moved_velocity[a] = vec4(velocity_for_forces(v.xyz, acceleration, history), v.w);
   moved_position[a] = vec4(place, x.w);
