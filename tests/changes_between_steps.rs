@@ -6,8 +6,8 @@ use millpond::compare::difference;
 use millpond::snapshot::Snapshot;
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
-    AccelerationField, AdaptiveTimeStep, Adjustable, Block, Container, Dimension, Fluid, Grid, Integrator, Scene,
-    SurfaceTension, Wind,
+    AccelerationField, AdaptiveTimeStep, Adjustable, Block, Container, Dimension, Fluid, Formulation, Grid, Integrator,
+    PlaneModel, Recipe, Scene, SurfaceTension, Wind,
 };
 use millpond_core::{OwnedMemory, Requirements, SceneError, Serial, Solver};
 use millpond_gpu::{GpuError, GpuSolver, Mode};
@@ -21,11 +21,12 @@ fn scene() -> Scene {
     let block =
         Block { corner: Vec3::new(0.1, 0.05, 0.0), size: Vec3::new(0.4, 0.5, 0.0), jitter: 0.2, ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, 0.05, 0.001, water, block);
-    scene.average_neighbours = 18.0;
+    scene.model = Formulation::of(Recipe::Pirovano);
+    scene.average_neighbours = Some(18.0);
     scene.gravity = Vec3::new(0.0, -9.81, 0.0);
     scene.wind = Some(Wind { velocity: Vec3::new(2.0, 0.0, 0.0), drag: 1.0 });
     scene.model.surface_tension = SurfaceTension::Attraction;
-    scene.container = Some(Container::closed([0.0; 3], [0.8, 0.8, 0.4]));
+    scene.container = Some(Container { model: PlaneModel::Penalty, ..Container::closed([0.0; 3], [0.8, 0.8, 0.4]) });
     scene.grid = Grid { cells: [8, 8, 4], ..Grid::default() };
     scene
 }

@@ -13,6 +13,7 @@ use support::device;
 /// Returns the state of a moving fluid.
 fn state() -> Snapshot {
     let mut scene = support::scaled("dam-break", 300).file.scene;
+    support::with_penalty_planes(&mut scene);
     (scene.model.internal_energy, scene.model.surface_normals, scene.model.xsph) = (true, true, 0.2);
     let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
     let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");

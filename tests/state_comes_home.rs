@@ -20,6 +20,7 @@ fn scene(name: &str) -> Scene {
     if name == "dam-break-2d" {
         scene.model.integrator = millpond_core::scene::Integrator::Beeman;
         (scene.model.xsph, scene.model.internal_energy) = (0.3, true);
+        support::with_penalty_planes(&mut scene);
     }
     if name == "elastic-cube" {
         scene.elasticity.plasticity = Some(millpond_core::scene::Plasticity { rate: 20.0, yield_strain: 0.001 });

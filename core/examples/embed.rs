@@ -2,20 +2,18 @@
 //!
 //! `cargo run --release -p millpond-core --example embed`
 use millpond_core::glam::Vec3;
-use millpond_core::scene::{Block, Container, Dimension, Fluid, Formulation, Grid, Scene};
+use millpond_core::scene::{Block, Container, Dimension, Fluid, Grid, Scene};
 use millpond_core::{Serial, Solver, Storage};
 
 /// Room for 4096 particles in 32 x 32 x 1 cells. In a real game: a `static`, or a field of the world.
 type Pool = Storage<4096, 1024>;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let water = Fluid { speed_of_sound: 20.0, dynamic_viscosity: 5.0, ..Fluid::default() };
+    let water = Fluid { speed_of_sound: 20.0, ..Fluid::default() };
     let block = Block { size: Vec3::new(0.6, 0.8, 0.0), ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, 0.02, 0.0004, water, block);
-    scene.average_neighbours = 21.0;
     scene.gravity = Vec3::new(0.0, -9.81, 0.0);
     scene.container = Some(Container::closed([0.0; 3], [1.6, 1.2, 0.0]));
-    scene.model = Formulation { negative_pressure: false, ..Formulation::modern() };
     scene.grid = Grid { cells: [32, 32, 1], ..Grid::default() };
     let mut pool = Pool::boxed();
     let mut fluid = Solver::new(&scene, pool.lend())?;

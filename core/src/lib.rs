@@ -9,16 +9,15 @@
 //!
 //! ```
 //! use millpond_core::glam::Vec3;
-//! use millpond_core::scene::{Block, Container, Dimension, Fluid, Formulation, Scene};
+//! use millpond_core::scene::{Block, Container, Dimension, Fluid, Scene};
 //! use millpond_core::{OwnedMemory, Serial, Solver};
 //!
 //! fn main() -> Result<(), Box<dyn std::error::Error>> {
-//!     let water = Fluid { speed_of_sound: 20.0, dynamic_viscosity: 1.0, ..Fluid::default() };
+//!     let water = Fluid { speed_of_sound: 20.0, ..Fluid::default() };
 //!     let column = Block { size: Vec3::splat(0.8), ..Block::default() };
 //!     let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, water, column); // spacing in m, time step in s
 //!     scene.gravity = Vec3::new(0.0, -9.81, 0.0);
 //!     scene.container = Some(Container::closed(Vec3::ZERO, Vec3::new(2.0, 2.0, 0.8)));
-//!     scene.model = Formulation { negative_pressure: false, ..Formulation::modern() };
 //!     scene.time_step = scene.check()?.recommended_time_step(); // instead of that 0.001 s
 //!     let mut memory = OwnedMemory::of(&scene.check()?);
 //!     let mut pond = Solver::new(&scene, memory.lend())?;

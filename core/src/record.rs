@@ -111,7 +111,7 @@ pub(crate) fn fingerprint(
     materials: &Materials,
     requirements: &Requirements,
 ) -> u64 {
-    let Counts { particles, spring_ends, air, field_nodes, cells: _ } = requirements.counts;
+    let Counts { particles, spring_ends, air, field_nodes, cells: _, list_words: _ } = requirements.counts;
     let counts = [particles, spring_ends, air, field_nodes, plan.iterations() as usize];
     let cells = if plan.model.is_half_stencil == 1 { parameters.cells } else { [0; 4] };
     let (model, parameters) = (Model { cell_places: 0, ..plan.model }, Parameters { cells, ..*parameters });

@@ -7,12 +7,13 @@ use crate::passes::beyond::{self, Front};
 use crate::passes::field;
 use crate::passes::lanes::material_of;
 use crate::scene::{Face, WALLS};
-use crate::terms::beyond::{completed3, has_wall_friction, wall_push, wall_rub};
+use crate::terms::beyond::{completed3, wall_push, wall_rub};
 use crate::terms::external::weight;
 use crate::terms::extrapolation::{extrapolates_velocity, wall_velocity, wall_weight};
 use crate::terms::geometry::dot3;
 use crate::terms::neighbour::{acceleration_close, force_neighbour, pressure_neighbour};
 use crate::terms::pair::{Local, density_ratio, inverse_density};
+use crate::terms::viscosity::has_friction;
 use glam::Vec3;
 
 impl Neighbours<'_, '_> {
@@ -49,7 +50,7 @@ impl Neighbours<'_, '_> {
                 }
                 let pairs = acceleration_close(m, p, pairs, a);
                 let mut walls = wall_push(m, p, a, a.pressure, beyond, g);
-                if has_wall_friction(m) {
+                if has_friction(m) {
                     walls = walls + wall_rub(m, p, a, beyond);
                 }
                 let all = completed3(walls + pairs * beyond.gamma, beyond.gamma);

@@ -3,8 +3,8 @@
 //! error that says so. (`tests/extremes_end_well.rs` tests that the errors name the fields.)
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
-    AccelerationField, Air, Block, Container, Dimension, Elasticity, Fluid, Grid, Periodic, Scene, SupportRange, Wall,
-    WallShape,
+    AccelerationField, Air, Block, Container, Dimension, Elasticity, Fluid, Formulation, Grid, Periodic, PlaneModel,
+    Recipe, Scene, SupportRange, Wall, WallShape,
 };
 use millpond_core::{Axis, Plan, Requirements, SceneError, Solver, StepError, Storage};
 
@@ -16,7 +16,7 @@ type Change = fn(&mut Scene, f32);
 /// Changes of every number from which a length, a count or a number of iterations is derived.
 const CHANGES: [Change; 18] = [
     |s, x| s.particle_spacing = x,
-    |s, x| s.average_neighbours = x,
+    |s, x| s.average_neighbours = Some(x),
     |s, x| s.fluids[0].average_neighbours = Some(x),
     |s, x| s.time_step = x,
     |s, x| s.fluids[0].rest_density = x,
@@ -42,9 +42,10 @@ fn scene(dimension: Dimension) -> Scene {
     let jelly = Fluid { elastic_stiffness: 10.0, ..Fluid::default() };
     let block = Block { size: Vec3::splat(0.3), ..Block::default() };
     let mut scene = Scene::of(dimension, 0.05, 0.001, jelly, block);
+    scene.model = Formulation::of(Recipe::Pirovano);
     scene.fluids.extend([Fluid::default()]);
     scene.blocks = [block, block].into_iter().collect();
-    scene.container = Some(Container::closed([0.0; 3], [1.0; 3]));
+    scene.container = Some(Container { model: PlaneModel::Penalty, ..Container::closed([0.0; 3], [1.0; 3]) });
     scene.model.normalize_mass = true;
     scene.grid = Grid { cells: [8; 3], ..Grid::default() };
     scene

@@ -5,7 +5,7 @@
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     Block, DensityForm, Dimension, Fluid, Formulation, Grid, GridStructure, InitialParticle, Kernel, NearPressure,
-    Periodic, PressureForce, Scene, Traversal, Viscosity,
+    Periodic, PressureForce, Recipe, Scene, Traversal, Viscosity,
 };
 use millpond_core::{Checked, OwnedMemory, Pass, Plan, Requirements, Serial, Simd, Solver};
 
@@ -112,6 +112,8 @@ fn collision(light: Option<f32>) -> Scene {
     let block =
         Block { size: Vec3::new(0.3, 0.4, 0.2), velocity: Vec3::new(1.0, 0.2, 0.0), jitter: 0.3, ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, 0.05, 0.0005, fluid, block);
+    scene.average_neighbours = Some(32.0);
+    scene.model = Formulation::of(Recipe::Pirovano);
     let mut other = Block { corner: Vec3::new(0.32, 0.1, 0.05), velocity: Vec3::new(-1.0, 0.0, 0.1), ..block };
     scene.periodic = Some(Periodic { low: Vec3::ZERO, high: Vec3::new(0.7, 1.0, 1.0), axes: [true, false, false] });
     if let Some(rest_density) = light {

@@ -8,7 +8,7 @@ use millpond_core::backend::arithmetic::real::vec3;
 use millpond_core::backend::derive::support_radius;
 use millpond_core::backend::terms::kernel::cubic_spline::{cubic_spline_slope, cubic_spline_w};
 use millpond_core::backend::terms::kernel::kernel_w;
-use millpond_core::scene::{Block, Dimension, Fluid, Kernel, NearPressure, PressureForce, Scene};
+use millpond_core::scene::{Block, Dimension, Fluid, Formulation, Kernel, NearPressure, PressureForce, Recipe, Scene};
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
@@ -24,8 +24,9 @@ fn lattice_scene(dimension: Dimension, support: f64) -> Scene {
     let n = if dimension == Dimension::Two { PI * support.powi(2) } else { 4.0 / 3.0 * PI * support.powi(3) };
     let water = Fluid { speed_of_sound: 22.0, dynamic_viscosity: 5.0, ..Fluid::default() };
     let mut scene = Scene::of(dimension, H as f32, 0.0002, water, Block::default());
+    scene.model = Formulation::of(Recipe::Pirovano);
     scene.blocks.clear();
-    scene.average_neighbours = n as f32;
+    scene.average_neighbours = Some(n as f32);
     scene.model.density_kernel = Kernel::CubicSpline;
     scene.model.pressure_kernel = Kernel::CubicSpline;
     scene.model.pressure_force = PressureForce::Monaghan;

@@ -91,7 +91,7 @@ fn scenes_that_cannot_be() {
         other => panic!("{other:?}"),
     };
     assert_eq!(field(refused(&|s| s.particle_spacing = 0.0)), "particle_spacing");
-    assert_eq!(field(refused(&|s| s.average_neighbours = -1.0)), "average_neighbours");
+    assert_eq!(field(refused(&|s| s.average_neighbours = Some(-1.0))), "average_neighbours");
     assert_eq!(field(refused(&|s| s.time_step = f32::NAN)), "time_step");
     assert_eq!(field(refused(&|s| s.gravity[1] = f32::NAN)), "gravity");
     assert_eq!(field(refused(&|s| s.fluids[0].rest_density = -1000.0)), "fluids[0].rest_density");
@@ -114,7 +114,7 @@ fn scenes_that_cannot_be() {
     for value in [1e30, 1e-30] {
         let (field, least, most) = ("average_neighbours", 0.001, 268_435_455.0);
         let error = SceneError::OutOfBounds { field: field.into(), value, least, most };
-        assert_eq!(refused(&|s| s.average_neighbours = value), error);
+        assert_eq!(refused(&|s| s.average_neighbours = Some(value)), error);
     }
     // at 1e4 m f32 resolves a millimetre
     let error = refused(&|s| s.blocks[0].corner[0] = 1e4);

@@ -2,8 +2,8 @@
 //! within its bounds is accepted.
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
-    AccelerationField, Block, Correction, Dimension, Face, Fluid, Periodic, Plasticity, Scene, SupportRange, Wall,
-    WallShape,
+    AccelerationField, Block, Correction, Dimension, Face, Fluid, Formulation, Periodic, Plasticity, Recipe, Scene,
+    SupportRange, Wall, WallShape,
 };
 use millpond_core::{Axis, Field, SceneError, Solver};
 
@@ -54,7 +54,7 @@ fn numbers_out_of_bounds() {
     });
     assert_eq!(result, Err(SceneError::TooFewCells { axis: Axis::Y, cells: 2 }));
     let result = scene(|s| {
-        (s.blocks[0].size[1], s.average_neighbours) = (0.5, 8.0);
+        (s.blocks[0].size[1], s.average_neighbours) = (0.5, Some(8.0));
         s.periodic = Some(Periodic { low: Vec3::ZERO, high: Vec3::new(0.0, 0.4, 0.0), axes });
     });
     let by = 0.5f32 - 0.4;
@@ -75,6 +75,7 @@ fn springs_that_do_not_fit() {
     let block = Block { size: Vec3::new(0.2, 0.1, 0.0), ..Block::default() };
     let jelly = Fluid { elastic_stiffness: 10.0, ..Fluid::default() };
     let mut scene = Scene::of(Dimension::Two, 0.05, 0.001, jelly, block);
+    scene.model = Formulation::of(Recipe::Pirovano);
     let solver = |scene: &Scene| {
         let mut heap = millpond_core::OwnedMemory::of(&scene.check()?);
         Solver::new(scene, heap.lend()).map(|solver| solver.springs().count())

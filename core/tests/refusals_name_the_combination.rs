@@ -6,8 +6,8 @@ use millpond_core::SceneError;
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     AdaptiveTimeStep, Air, DensityForm, EquationOfState, Evaluation, Face, Fluid, Formulation, GridStructure,
-    Integrator, Iteration, Kernel, NearPressure, PressureForce, PressureSolver, Scene, SupportRange, SurfaceTension,
-    Traversal, Viscosity, Wall, WallShape,
+    Integrator, Iteration, Kernel, NearPressure, PressureForce, PressureSolver, Recipe, Scene, SupportRange,
+    SurfaceTension, Traversal, Viscosity, Wall, WallShape,
 };
 
 #[path = "support/judged.rs"]
@@ -123,7 +123,7 @@ fn starts_and_surroundings_by_name() {
          spacings, so that air particles spawned in one step keep their distance; increase average_neighbours",
         |s| {
             air(s);
-            s.average_neighbours = 20.0;
+            s.average_neighbours = Some(20.0);
         },
     );
     refused("ambient_density conflicts with zero gravity: without gravity nothing is buoyant; set gravity", |s| {
@@ -359,8 +359,10 @@ fn a_literal_iteration_that_cannot_converge() {
 }
 
 #[test]
-fn the_modern_choice_is_one() {
-    assert_eq!(scene(|s| s.model = Formulation::modern()), Ok(()));
+fn every_recipe_is_one_but_for_its_second_fluid() {
+    for &recipe in Recipe::ALL {
+        assert_eq!(scene(|s| s.model = Formulation::of(recipe)), Ok(()), "{recipe:?}");
+    }
 }
 
 #[test]

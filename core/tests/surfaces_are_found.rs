@@ -6,6 +6,7 @@ use millpond_core::scene::{Block, Dimension, Fluid, Formulation, InitialParticle
 use millpond_core::{Particle, Plan, Solver};
 
 mod support;
+use support::forms::several_fluids;
 use support::{checked, heap_for};
 
 /// Radius of the disc, and half the edge of the square around it (`HALF`), in spacings; the spacing, m.
@@ -19,7 +20,7 @@ fn disc(model: Formulation, in_a_like_fluid: bool) -> Vec<Particle> {
     let mut scene =
         Scene::of(Dimension::Two, SPACING, 1e-4, fluid, Block { size: Vec3::new(1.0, 1.0, 0.0), ..Block::default() });
     scene.add_fluid(fluid).expect("room for a fluid");
-    scene.average_neighbours = 50.0;
+    scene.average_neighbours = Some(50.0);
     scene.model = model;
     let lattice = (-HALF..HALF).flat_map(|y| (-HALF..HALF).map(move |x| [f32::from(x) + 0.5, f32::from(y) + 0.5]));
     let place = |[x, y]: [f32; 2]| {
@@ -36,7 +37,7 @@ fn disc(model: Formulation, in_a_like_fluid: bool) -> Vec<Particle> {
 
 fn model(surface_tension: SurfaceTension) -> Formulation {
     let kernel = Kernel::WendlandC4;
-    Formulation { surface_tension, density_kernel: kernel, pressure_kernel: kernel, ..Formulation::multiphase() }
+    Formulation { surface_tension, density_kernel: kernel, pressure_kernel: kernel, ..several_fluids() }
 }
 
 #[test]

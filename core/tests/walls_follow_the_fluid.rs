@@ -12,6 +12,11 @@ use millpond_core::scene::{
 };
 use millpond_core::{OwnedMemory, Plan, Serial, Solver};
 
+#[path = "support/forms.rs"]
+#[allow(dead_code, unreachable_pub, reason = "each test uses its part")]
+mod forms;
+use forms::wendland;
+
 const SPACING: f32 = 0.05;
 const DEPTH: f32 = 0.5;
 const GRAVITY: f32 = 10.0;
@@ -35,7 +40,7 @@ fn tank(wall_pressure: WallPressure) -> Scene {
         initialize_hydrostatic: true,
         normalize_mass: true,
         wall_pressure,
-        ..Formulation::modern()
+        ..wendland()
     };
     scene
 }

@@ -12,13 +12,18 @@ use millpond_core::scene::{
 };
 use millpond_core::{Array, OwnedMemory, Plan, SceneError, Serial, Solver};
 
+#[path = "support/forms.rs"]
+#[allow(dead_code, unreachable_pub, reason = "each test uses its part")]
+mod forms;
+use forms::wendland;
+
 /// Returns a box of half a metre, full of fluid, with walls in closed form.
 fn full_box(dimension: Dimension, model: Formulation) -> Scene {
     let z = if dimension == Dimension::Three { 0.5 } else { 0.0 };
     let size = Vec3::new(0.5, 0.5, z);
     let fluid = Fluid { speed_of_sound: 10.0, dynamic_viscosity: 1.0, ..Fluid::default() };
     let mut scene = Scene::of(dimension, 0.05, 0.0005, fluid, Block { size, ..Block::default() });
-    scene.container = Some(Container { model: PlaneModel::ClosedForm, ..Container::closed([0.0; 3], [0.5, 0.5, 0.5]) });
+    scene.container = Some(Container::closed([0.0; 3], [0.5, 0.5, 0.5]));
     scene.model = Formulation { density: DensityForm::Continuity, normalize_mass: true, ..model };
     scene.grid = Grid { cells: [8, 8, 8], ..Grid::default() };
     scene
@@ -57,7 +62,7 @@ fn what_lies_beyond_is_known_to_a_millionth() {
     for dimension in [Dimension::Two, Dimension::Three] {
         let d = dimension.count();
         for &kernel in Kernel::ALL.iter().filter(|kernel| kernel.has_value()) {
-            let kernels = Formulation { density_kernel: kernel, pressure_kernel: kernel, ..Formulation::modern() };
+            let kernels = Formulation { density_kernel: kernel, pressure_kernel: kernel, ..wendland() };
             let scene = full_box(dimension, kernels);
             let checked = scene.check().expect("a scene");
             let row = f64::from(scene.particle_spacing) / checked.derived().support_radius;
@@ -101,9 +106,9 @@ fn pressure_pushes_on_every_face() {
     for dimension in [Dimension::Two, Dimension::Three] {
         for pressure_force in [PressureForce::Monaghan, PressureForce::DensityWeighted, PressureForce::MonaghanAdapted]
         {
-            let mut scene = full_box(dimension, Formulation { pressure_force, ..Formulation::modern() });
+            let mut scene = full_box(dimension, Formulation { pressure_force, ..wendland() });
             // with 32 neighbours in 3D two rows are all that a particle sees on a side, and sums over them are rough
-            scene.average_neighbours = if dimension == Dimension::Three { 80.0 } else { 32.0 };
+            scene.average_neighbours = Some(if dimension == Dimension::Three { 80.0 } else { 32.0 });
             // the first row moves by 0.01 spacings until the forces on it balance
             scene.wind = Some(Wind { velocity: Vec3::ZERO, drag: 40.0 });
             let checked = scene.check().expect("a scene");
@@ -139,7 +144,7 @@ fn pressure_pushes_on_every_face() {
 #[test]
 fn what_the_fluid_loses_the_faces_feel() {
     for pressure_force in [PressureForce::Mueller, PressureForce::Monaghan, PressureForce::DensityWeighted] {
-        let mut scene = full_box(Dimension::Two, Formulation { pressure_force, ..Formulation::modern() });
+        let mut scene = full_box(Dimension::Two, Formulation { pressure_force, ..wendland() });
         (scene.blocks[0].jitter, scene.blocks[0].velocity) = (0.3, Vec3::new(0.5, -1.0, 0.0));
         // the forces are those of the state: viscosity would see the velocities in the middle of the step
         scene.fluids[0].dynamic_viscosity = 0.0;
@@ -160,7 +165,7 @@ fn what_the_fluid_loses_the_faces_feel() {
 #[test]
 fn a_sliding_face_drags_the_fluid_along() {
     for viscosity in [Viscosity::Morris, Viscosity::MonaghanGingold, Viscosity::Artificial] {
-        let mut scene = full_box(Dimension::Two, Formulation { viscosity, ..Formulation::modern() });
+        let mut scene = full_box(Dimension::Two, Formulation { viscosity, ..wendland() });
         let belt = Sliding { face: Face::Floor, velocity: Vec3::new(1.0, 0.0, 0.0) };
         scene.container.iter_mut().for_each(|container| container.sliding = [belt].into_iter().collect());
         let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
@@ -185,35 +190,35 @@ fn container(scene: &mut Scene) -> &mut Container {
 #[test]
 fn what_they_cannot_do_is_refused_by_name() {
     let refused = |sentence: &str, change: &dyn Fn(&mut Scene)| {
-        let mut scene = full_box(Dimension::Two, Formulation::modern());
+        let mut scene = full_box(Dimension::Two, wendland());
         assert_eq!(scene.check().map(|_| ()), Ok(()));
         change(&mut scene);
         assert_eq!(scene.check().expect_err(sentence).to_string(), sentence);
     };
     refused(
         "container.model ClosedForm conflicts with model.near_pressure: near pressure would miss the walls; set \
-         near_pressure Off, and use shifting if particles pair",
+         near_pressure Off, and use shifting if particles pair, or use container.model Penalty",
         &|s| s.model.near_pressure = NearPressure::DensityProportional,
     );
     refused(
         "container.model ClosedForm conflicts with model.internal_energy: the work of the walls is not divided between \
-         the fluid and its continuation beyond them; use walls of particles",
+         the fluid and its continuation beyond them; use walls of particles, or container.model Penalty",
         &|s| s.model.internal_energy = true,
     );
     refused(
         "container.model ClosedForm conflicts with model.surface_tension Curvature: the Laplacian of the colour would \
-         miss the walls; use NormalCurvature",
+         miss the walls; use NormalCurvature, or container.model Penalty",
         &|s| s.model.surface_tension = SurfaceTension::Curvature,
     );
     refused(
         "container.model ClosedForm conflicts with model.pressure_kernel Viscosity: it is infinite at distance 0; use \
-         another pressure_kernel",
+         another pressure_kernel, or container.model Penalty",
         &|s| s.model.pressure_kernel = Kernel::Viscosity,
     );
     for change in [(|c: &mut Container| c.dynamic_viscosity = Some(1.0)) as fn(&mut Container), |c| {
         c.sliding = [Sliding { face: Face::Floor, velocity: Vec3::X }].into_iter().collect();
     }] {
-        let mut scene = full_box(Dimension::Two, Formulation::modern());
+        let mut scene = full_box(Dimension::Two, wendland());
         container(&mut scene).model = PlaneModel::Penalty;
         change(container(&mut scene));
         let told = scene.check().expect_err("unused").to_string();
@@ -242,7 +247,7 @@ fn what_they_cannot_do_is_refused_by_name() {
             container(s).sliding = [belt, belt].into_iter().collect();
         },
     );
-    let mut narrow = full_box(Dimension::Two, Formulation::modern());
+    let mut narrow = full_box(Dimension::Two, wendland());
     (narrow.container, narrow.blocks[0].size) = (None, Vec3::new(0.2, 0.5, 0.0));
     let sides = Container::closed([0.0; 3], [0.2, 0.5, 0.0]);
     narrow.container = Some(Container { model: PlaneModel::ClosedForm, ..sides });

@@ -5,9 +5,14 @@ use millpond_core::OwnedMemory;
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     Block, DensityDiffusion, DensityForm, Dimension, Evaluation, Fluid, Formulation, Grid, Kernel, NearPressure,
-    Periodic, PressureForce, Scene, Shifting, SurfaceTension, Viscosity,
+    Periodic, PressureForce, Recipe, Scene, Shifting, SurfaceTension, Viscosity,
 };
 use millpond_core::{Serial, Solver};
+
+#[path = "support/forms.rs"]
+#[allow(dead_code, unreachable_pub, reason = "each test uses its part")]
+mod forms;
+use forms::{several_fluids, wendland};
 
 /// Returns a jittered drop that collides with another one in empty space.
 fn collision(model: Formulation) -> Scene {
@@ -15,6 +20,7 @@ fn collision(model: Formulation) -> Scene {
     let block =
         Block { size: Vec3::new(0.3, 0.4, 0.2), velocity: Vec3::new(1.0, 0.2, 0.0), jitter: 0.3, ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, 0.05, 0.0005, fluid, block);
+    scene.average_neighbours = Some(32.0);
     let other = Block { corner: Vec3::new(0.33, 0.1, 0.05), velocity: Vec3::new(-1.0, 0.0, 0.1), ..block };
     scene.add_block(other).expect("room for a block");
     scene.model = model;
@@ -77,7 +83,7 @@ fn momentum_of_several_fluids_and_not_where_a_form_makes_no_such_promise() {
                 if viscosity == Viscosity::MuellerAdapted && !adapted {
                     continue;
                 }
-                let model = Formulation { pressure_force, viscosity, density, ..Formulation::default() };
+                let model = Formulation { pressure_force, viscosity, density, ..Formulation::of(Recipe::Pirovano) };
                 let strayed = strayed(&two_fluids(model));
                 let name = format!("{pressure_force:?} {viscosity:?} {density:?}: {strayed} kg m/s");
                 assert!(if keeps { strayed < ROUNDING } else { strayed > 10.0 * ROUNDING }, "{name}");
@@ -91,7 +97,7 @@ fn momentum_by_tensions_between_pairs_and_by_springs() {
     for &surface_tension in SurfaceTension::ALL {
         let keeps =
             matches!(surface_tension, SurfaceTension::Off | SurfaceTension::Attraction | SurfaceTension::GradientSum);
-        let mut scene = two_fluids(Formulation { surface_tension, ..Formulation::multiphase() });
+        let mut scene = two_fluids(Formulation { surface_tension, ..several_fluids() });
         scene.fluids[0].elastic_stiffness = 500.0;
         let strayed = strayed(&scene);
         let as_promised = if keeps { strayed < ROUNDING } else { strayed > 10.0 * ROUNDING };
@@ -114,7 +120,7 @@ fn momentum_by_every_form_whose_pairs_act_alike() {
                     near_pressure,
                     density,
                     viscosity_kernel,
-                    ..Formulation::default()
+                    ..Formulation::of(Recipe::Pirovano)
                 };
                 let scene = collision(model);
                 let strayed = strayed(&scene);
@@ -130,7 +136,7 @@ fn momentum_by_shifting_and_not_by_tensile_control() {
         density: DensityForm::Continuity,
         density_diffusion: DensityDiffusion::Renormalised,
         pressure_force: PressureForce::Monaghan,
-        ..Formulation::default()
+        ..Formulation::of(Recipe::Pirovano)
     };
     // a transport velocity blows the drops apart, so that there is no inside for tensile control to act on
     for (shifting, tensile_control) in
@@ -158,7 +164,7 @@ fn energy_to_the_order_of_the_integrator() {
             pressure_kernel: Kernel::WendlandC2,
             viscosity_kernel: Kernel::WendlandC2,
             pressure_force: PressureForce::Monaghan,
-            ..Formulation::default()
+            ..Formulation::of(Recipe::Pirovano)
         };
         let strayed = |refinement: u16, several: bool| {
             let mut scene = collision(model);
@@ -201,14 +207,14 @@ fn an_even_motion_of_everything_is_no_motion() {
     let block = Block { size: Vec3::new(0.4, 0.4, 0.0), velocity: Vec3::new(1.0, -0.5, 0.0), ..Block::default() };
     let water = Fluid { dynamic_viscosity: 1.0, ..Fluid::default() };
     let mut scene = Scene::of(Dimension::Two, 0.025, 0.001, water, block);
-    scene.average_neighbours = 20.0;
+    scene.average_neighbours = Some(20.0);
     scene.periodic = Some(Periodic { low: Vec3::ZERO, high: Vec3::new(0.4, 0.4, 0.0), axes: [true, true, false] });
     for (evaluation, shifting) in [
         (Evaluation::Direct, Shifting::Off),
         (Evaluation::Table, Shifting::Fickian),
         (Evaluation::Direct, Shifting::TransportVelocity),
     ] {
-        scene.model = Formulation { evaluation, shifting, xsph: 0.5, ..Formulation::modern() };
+        scene.model = Formulation { evaluation, shifting, xsph: 0.5, ..wendland() };
         let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
         let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
         (0..200).for_each(|_| solver.step(&Serial).expect("a step"));

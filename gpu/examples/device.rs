@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     };
     let fluid = Fluid { dynamic_viscosity: 10.0, ..Fluid::default() };
     let block = Block { size: Vec3::splat(0.8), jitter: 0.1, ..Block::default() };
-    let scene = Scene { average_neighbours: 27.0, ..Scene::of(Dimension::Three, 0.05, 0.001, fluid, block) };
+    let scene = Scene { average_neighbours: Some(27.0), ..Scene::of(Dimension::Three, 0.05, 0.001, fluid, block) };
     let mut storage: Box<Storage<4096, 32768>> = Storage::boxed();
     let mut on_cpu = Solver::new(&scene, storage.lend())?;
     let mut on_gpu = GpuSolver::new(&gpu, &on_cpu)?;

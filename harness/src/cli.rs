@@ -8,7 +8,7 @@ use clap::{Parser, Subcommand};
 /// Runs a deterministic, fixed-capacity SPH fluid, compares its backends bit for bit, and measures error against run
 /// time
 ///
-/// Without a command, millpond runs the showcase, which takes a minute or two.
+/// Without a command, millpond runs the showcase, which takes a few minutes.
 #[derive(Debug, Parser)]
 #[command(name = "millpond", version, after_help = EXIT_STATUSES)]
 pub struct Cli {

@@ -97,7 +97,9 @@ pub(crate) fn driven_by(scene: &Scene) -> Option<&'static str> {
     if scene.wind.is_some() {
         return Some("the wind");
     }
-    scene.walls.iter().any(|wall| wall.velocity != Vec3::ZERO).then_some("a sliding wall")
+    let faces = scene.container.iter().flat_map(|container| &container.sliding);
+    let moving = scene.walls.iter().map(|wall| wall.velocity).chain(faces.map(|face| face.velocity));
+    moving.into_iter().any(|velocity| velocity != Vec3::ZERO).then_some("a sliding wall")
 }
 
 #[cfg(test)]

@@ -19,7 +19,7 @@ use std::time::Instant;
 pub struct Options {
     #[command(flatten)]
     common: Common,
-    /// Use coarser particles and a shorter time: about 15 seconds
+    /// Use coarser particles: about half a minute
     #[arg(long)]
     quick: bool,
     /// Simulated time of each run, s
@@ -78,7 +78,7 @@ const LONGEST: f64 = 1000.0;
 /// Fields that the study sets itself, so that `--set` must not.
 const STUDIED: [&str; 3] = ["particle_spacing", "time_step", "equation_of_state"];
 
-const FULL: Ladder = Ladder { spacings: [0.025, 0.0125, 0.00625], courant: [0.4, 0.2], seconds: 2.0 };
+const FULL: Ladder = Ladder { spacings: [0.025, 0.0125, 0.00625], courant: [0.4, 0.2], seconds: 1.0 };
 /// Coarse and short runs, for `--quick` and the showcase.
 pub const QUICK: Ladder = Ladder { spacings: [0.05, 0.025, 0.0125], courant: [0.4, 0.2], seconds: 1.0 };
 

@@ -32,6 +32,8 @@ pub enum Fluid<'a> {
         device: String,
         /// Data to compute the elastic energy from a snapshot.
         springs: Box<Springs>,
+        /// A solver on the CPU, which takes over the state where something is measured.
+        host: Box<Solver<'a>>,
     },
 }
 
@@ -63,7 +65,12 @@ impl<'a> Fluid<'a> {
                 let (plan, parameters) = (*solver.plan(), *solver.parameters());
                 let ranges = bytemuck::cast_slice(solver.words(Array::spring_ranges)).to_vec();
                 let springs = Box::new(Springs { plan, parameters, materials: *solver.materials(), ranges });
-                Fluid::Gpu { solver: Box::new(GpuSolver::new(&gpu, &solver)?), device: gpu.name(), springs }
+                Fluid::Gpu {
+                    solver: Box::new(GpuSolver::new(&gpu, &solver)?),
+                    device: gpu.name(),
+                    springs,
+                    host: Box::new(solver),
+                }
             }
         })
     }
@@ -76,6 +83,21 @@ impl<'a> Fluid<'a> {
         match self {
             Fluid::Cpu { solver, pool } => (0..count).try_for_each(|_| solver.step(*pool)).map_err(Failure::Step),
             Fluid::Gpu { solver, .. } => Ok(solver.step(count)?),
+        }
+    }
+
+    /// Returns a solver on the CPU that has the current state.
+    ///
+    /// # Errors
+    /// A failure of the device.
+    pub fn measured(&mut self) -> Result<&mut Solver<'a>, Failure> {
+        match self {
+            Fluid::Cpu { solver, .. } => Ok(solver),
+            Fluid::Gpu { solver, host, .. } => {
+                let own = |error| Failure::Call(format!("the state of the device cannot be taken over: {error}"));
+                host.restore(&solver.save()?).map_err(own)?;
+                Ok(host)
+            }
         }
     }
 

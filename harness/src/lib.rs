@@ -17,6 +17,8 @@ pub mod extremes;
 pub mod failure;
 pub mod fluid;
 pub mod frames;
+pub mod gauges;
+pub mod nearest;
 mod outcome;
 pub mod output;
 mod overrides;

@@ -2,7 +2,7 @@
 use crate::failure::Failure;
 use crate::scene_errors::closest;
 use crate::scene_file::SceneFile;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 /// Returns a path as errors write it: items of lists in brackets, and the first fluid by its number.
 pub(crate) fn indexed(path: &str) -> String {
@@ -21,6 +21,9 @@ pub(crate) fn set(file: &SceneFile, change: &str) -> Result<SceneFile, Failure> 
     with(file, field, value).map_err(wrong)
 }
 
+/// Names of the recipe. It is no field of a scene that was read: it replaces the whole model.
+const RECIPE: [&str; 3] = ["recipe", "model.recipe", "scene.model.recipe"];
+
 /// Returns `file` with one field changed. A field is named by the end of its path; of several matches the shortest path
 /// wins.
 ///
@@ -29,6 +32,10 @@ pub(crate) fn set(file: &SceneFile, change: &str) -> Result<SceneFile, Failure> 
 pub(crate) fn with(file: &SceneFile, field: &str, value: &str) -> Result<SceneFile, String> {
     let value = parsed(value);
     let mut tree = serde_json::to_value(file).map_err(|e| e.to_string())?;
+    if RECIPE.contains(&field) {
+        tree["scene"]["model"] = json!({ "recipe": value });
+        return serde_json::from_value(tree).map_err(|e| e.to_string());
+    }
     let mut paths = Vec::new();
     collect_paths(&tree, "", &mut paths);
     // items of a list may be named as in RON, and `fluid` stands for the first fluid

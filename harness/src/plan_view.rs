@@ -1,6 +1,7 @@
 //! `plan`: what a scene needs, what it leaves out, and how much memory and time that saves.
 use crate::arguments::Common;
 use crate::failure::Failure;
+use crate::nearest::Nearest;
 use crate::output::deliver;
 use crate::pool::Pool;
 use crate::scenes::{LoadedScene, load};
@@ -32,6 +33,8 @@ pub struct PlanView {
     pub scene: String,
     /// Number of particles.
     pub particles: usize,
+    /// The recipe that the formulas are nearest to.
+    pub formulas: Nearest,
     /// Passes that run, in order.
     pub passes: Vec<PassView>,
     /// Commands of a step, as text.
@@ -127,6 +130,7 @@ pub fn view(named: &LoadedScene, pool: &Pool, steps: u32) -> Result<PlanView, Fa
     Ok(PlanView {
         scene: named.name.clone(),
         particles: requirements.counts.particles,
+        formulas: Nearest::of(&scene.model),
         passes: passes.collect(),
         commands: plan.schedule().iter().map(|command| in_words(*command)).collect(),
         left_out: left_out.collect(),
@@ -239,7 +243,7 @@ fn time(named: &LoadedScene, pool: &Pool, steps: u32) -> Result<[Milliseconds; 2
 /// Formats the plan as text.
 #[must_use]
 pub fn table(view: &PlanView) -> String {
-    let mut out = format!("{}\n", view.scene);
+    let mut out = format!("{}\n{}\n", view.scene, view.formulas.words());
     for pass in &view.passes {
         out += &format!("  {:22} {}\n", pass.name, pass.terms.join(", "));
     }

@@ -3,12 +3,13 @@ use crate::arguments::{BackendName, Common, Length};
 use crate::failure::Failure;
 use crate::fluid::Fluid;
 use crate::frames::FrameRecorder;
+use crate::gauges::Record;
 use crate::output::{deliver, make_folder, progress};
 use crate::pool::Pool;
 use crate::run_length::RunLength;
 use crate::scenes::{LoadedScene, load};
 use crate::snapshot::Snapshot;
-use crate::state_summary::{FirstLast, summarize};
+use crate::state_summary::{FirstLast, StateSummary, summarize};
 use crate::timing::{Milliseconds, timed};
 use crate::warnings::{gained, warnings};
 use millpond_core::OwnedMemory;
@@ -33,6 +34,9 @@ pub struct Options {
     /// Number of pictures to draw, at equal intervals (needs --out; default 1: the final state)
     #[arg(long, value_name = "N", requires = "out")]
     frames: Option<u64>,
+    /// Simulated time between two samples of the scene's gauges (default: a thousandth of the run)
+    #[arg(long, value_name = "SECONDS", requires = "out")]
+    gauges_every: Option<f64>,
 }
 
 /// Number of steps that a GPU makes between two reads of its status. Times are taken there.
@@ -49,12 +53,13 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
     let pool = Pool::new(options.common.threads)?;
     let frames = options.frames.unwrap_or(1);
     let folder = options.common.out.as_deref();
-    let outcome = run(&named, options.backend, &pool, span, folder.map(|folder| (folder, frames)))?;
+    let record = Record::new(scene, &named.file.gauges, span, options.gauges_every)?;
+    let outcome = run(&named, options.backend, &pool, span, folder.map(|folder| (folder, frames)), record)?;
     deliver(&options.common, "report.md", &outcome, &report(&named, &outcome))?;
     Ok(true)
 }
 
-/// Runs a scene. `pictures` is the folder and the number of pictures.
+/// Runs a scene. `pictures` is the folder and the number of pictures, and `record` takes the samples of its gauges.
 ///
 /// # Errors
 /// As for [`execute`].
@@ -64,6 +69,7 @@ pub fn run(
     pool: &Pool,
     span: RunLength,
     pictures: Option<(&Path, u64)>,
+    mut record: Record<'_>,
 ) -> Result<Outcome, Failure> {
     let scene = &named.checked()?;
     let mut heap = OwnedMemory::of(scene);
@@ -85,9 +91,13 @@ pub fn run(
     let mut clock = fluid.time_report()?;
     let mut lengths = Vec::new();
     film.capture(0.0, 0.0, &first)?;
+    if record.next().is_some() {
+        record.sample(0.0, 0.0, fluid.measured()?);
+    }
     let start = std::time::Instant::now();
     while span.passed(done, clock.time) < span.length() {
-        let until = film.next().unwrap_or(span.length()).min(span.length());
+        let due = film.next().into_iter().chain(record.next());
+        let until = due.fold(span.length(), f64::min);
         let at_once = if backend == BackendName::Gpu { STEPS_AT_ONCE } else { 1 };
         let count = span.steps_to(until, done, clock, scene, at_once);
         let (result, ms) = timed(|| fluid.step(count as u32));
@@ -100,6 +110,9 @@ pub fn run(
         bar.set_position((passed * per_unit) as u64);
         if film.next().is_some_and(|due| passed >= due) {
             film.capture(passed, clock.time, &fluid.snapshot()?)?;
+        }
+        if record.next().is_some_and(|due| passed >= due) {
+            record.sample(passed, clock.time, fluid.measured()?);
         }
     }
     let wall_s = start.elapsed().as_secs_f64();
@@ -126,6 +139,7 @@ pub fn run(
     let mut warnings = warnings(scene, &last_summary, refused);
     warnings.extend(held(&clock));
     warnings.extend(gained(scene, &first_summary, &last_summary));
+    let elastic = FirstLast { first: first_elastic, last: fluid.elastic_energy(&last) };
     Ok(Outcome {
         scene: named.name.clone(),
         backend: fluid.backend(),
@@ -146,24 +160,14 @@ pub fn run(
         },
         courant: last_summary.courant.into(),
         density_error: last_summary.density_error.into(),
-        energy: Energy {
-            kinetic: FirstLast { first: first_summary.energies.kinetic, last: last_summary.energies.kinetic },
-            internal: scene
-                .model
-                .internal_energy
-                .then_some(FirstLast { first: internal_energy(scene, &first), last: internal_energy(scene, &last) }),
-            potential: FirstLast { first: first_summary.energies.potential, last: last_summary.energies.potential },
-            elastic: scene
-                .fluids
-                .iter()
-                .any(|fluid| fluid.elastic_stiffness > 0.0)
-                .then(|| FirstLast { first: first_elastic, last: fluid.elastic_energy(&last) }),
-        },
+        energy: energies(scene, [&first, &last], [&first_summary, &last_summary], elastic),
         pressure_correction,
         air,
         hash: format!("{:016x}", last.hash()),
         warnings,
         pictures: film.finish(),
+        gauges: record.shown(),
+        series: pictures.map(|(folder, _)| record.write(folder)).transpose()?.flatten(),
     })
 }
 
@@ -173,6 +177,19 @@ fn held(clock: &TimeReport) -> Option<String> {
         let (held, wanted) = (clock.clamped_steps, clock.wanted);
         format!("{held} steps should have been shorter than adaptive.smallest (the last limit was {wanted:.1e} s)")
     })
+}
+
+/// Returns the energies of the first and the last state.
+fn energies(scene: &Checked<'_>, states: [&Snapshot; 2], summaries: [&StateSummary; 2], elastic: FirstLast) -> Energy {
+    let of =
+        |number: &dyn Fn(&StateSummary) -> f64| FirstLast { first: number(summaries[0]), last: number(summaries[1]) };
+    let internal = FirstLast { first: internal_energy(scene, states[0]), last: internal_energy(scene, states[1]) };
+    Energy {
+        kinetic: of(&|summary| summary.energies.kinetic),
+        internal: scene.model.internal_energy.then_some(internal),
+        potential: of(&|summary| summary.energies.potential),
+        elastic: scene.fluids.iter().any(|fluid| fluid.elastic_stiffness > 0.0).then_some(elastic),
+    }
 }
 
 /// Returns the internal energy of a state, J.

@@ -1,4 +1,5 @@
 //! What a scene file holds: a scene, how long it runs, and how it is drawn.
+use crate::gauges::Gauge;
 use millpond_core::scene::Scene;
 use serde::{Deserialize, Serialize};
 
@@ -14,6 +15,9 @@ pub struct SceneFile {
     pub camera: Camera,
     /// Quantity that gives the particles their colours.
     pub shade: Shade,
+    /// Gauges, which `run --out` records as time series (default none).
+    #[serde(default)]
+    pub gauges: Vec<Gauge>,
     /// The scene itself.
     pub scene: Scene,
 }

@@ -5,7 +5,7 @@ use crate::scene_errors::explained;
 use crate::scene_file::SceneFile;
 use crate::scene_text::{current, line_of};
 use glam::Vec3;
-use millpond_core::scene::{Container, Periodic, Scene, WallShape};
+use millpond_core::scene::{Container, Periodic, WallShape};
 use millpond_core::{Checked, Requirements, SceneError};
 use std::path::Path;
 
@@ -36,6 +36,7 @@ macro_rules! built_in {
 pub const BUILT_IN: &[(&str, &str)] = built_in!(
     "dam-break",
     "dam-break-2d",
+    "dam-break-classic",
     "still-tank",
     "thesis-cube",
     "viscosity-cubes",
@@ -95,7 +96,7 @@ pub fn load(name: &str, changes: &Changes) -> Result<LoadedScene, Failure> {
         return Err(Failure::Call(format!("{}: blocks is empty, so the scene has no fluid", origin.display())));
     }
     if let Some(particles) = changes.particles {
-        scale(&mut file.scene, now, particles)?;
+        scale(&mut file, now, particles)?;
     }
     let bytes = Requirements::of(&file.scene.check().map_err(refuse)?).bytes();
     if bytes > MOST_BYTES {
@@ -146,7 +147,7 @@ fn refusal(text: &str, origin: &Path, changes: &Changes, was_valid: bool, error:
 }
 
 /// Scales all lengths of a scene of `now` fluid particles at constant spacing, so that it has about `particles`.
-fn scale(scene: &mut Scene, now: usize, particles: u64) -> Result<(), Failure> {
+fn scale(SceneFile { scene, gauges, .. }: &mut SceneFile, now: usize, particles: u64) -> Result<(), Failure> {
     if particles == 0 {
         return Err(Failure::Call("--particles must be at least 1".into()));
     }
@@ -169,6 +170,7 @@ fn scale(scene: &mut Scene, now: usize, particles: u64) -> Result<(), Failure> {
         grow(low);
         grow(high);
     }
+    gauges.iter_mut().filter_map(|gauge| gauge.measures.point_mut()).for_each(grow);
     if let Some(field) = &mut scene.acceleration_field {
         grow(&mut field.low);
         field.spacing = (f64::from(field.spacing) * factor) as f32;

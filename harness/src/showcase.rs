@@ -4,6 +4,7 @@ use crate::compare::{self, Paths, compare};
 use crate::error_study::{self, CASE, QUICK};
 use crate::failure::Failure;
 use crate::fluid::device_if_any;
+use crate::gauges::Record;
 use crate::output::{make_folder, say, write_text};
 use crate::plan_view;
 use crate::pool::Pool;
@@ -49,7 +50,8 @@ pub fn execute() -> Result<bool, Failure> {
 
     tell("## A dam break\n")?;
     let span = RunLength::of_seconds(scene, named.file.duration)?;
-    let outcome = run(&named, BackendName::Cpu, &pool, span, Some((folder, PICTURES)))?;
+    let no_gauges = Record::new(&named.file.scene, &[], span, None)?;
+    let outcome = run(&named, BackendName::Cpu, &pool, span, Some((folder, PICTURES)), no_gauges)?;
     tell(below_heading(&run::report(&named, &outcome)))?;
 
     tell("## What the plan leaves out\n")?;

@@ -1,6 +1,7 @@
 //! Choices of walls in closed form, and of everything that they take part in.
 use super::Add;
 use super::scenes::{closed, falls, pulled, second_fluid, walls};
+use crate::support::forms::several_fluids;
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     AccelerationField, Air, DensityDiffusion, DensityForm, Formulation, Kernel, PressureForce, PressureSolver,
@@ -26,7 +27,7 @@ pub fn closed_walls(add: Add<'_>) {
     for &viscosity in Viscosity::ALL {
         add(format!("closed walls, viscosity {viscosity:?}, two fluids"), &|s| {
             closed(s);
-            s.model = Formulation { viscosity, near_pressure: s.model.near_pressure, ..Formulation::multiphase() };
+            s.model = Formulation { viscosity, near_pressure: s.model.near_pressure, ..several_fluids() };
             s.model.velocity_exchange = 0.1;
             second_fluid(s);
         });
@@ -60,7 +61,7 @@ pub fn closed_walls(add: Add<'_>) {
         pulled(s);
     });
     add("closed walls and air".into(), &|s| {
-        s.model = Formulation::multiphase();
+        s.model = several_fluids();
         closed(s);
         second_fluid(s);
         s.blocks[1].fluid = 0;

@@ -1,6 +1,7 @@
 //! Choices of several fluids in a scene, air, springs, and properties of a fluid.
 use super::Add;
 use super::scenes::{pulled, second_fluid, walls};
+use crate::support::forms::several_fluids;
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     Air, DensityForm, Elasticity, EquationOfState, Evaluation, Formulation, NearPressure, Periodic, Plasticity,
@@ -46,7 +47,7 @@ pub fn fluids(add: Add<'_>) {
         ("air and walls of particles", SurfaceTension::Off, true),
     ] {
         add(name.into(), &|s| {
-            s.model = Formulation { surface_tension: tension, ..Formulation::multiphase() };
+            s.model = Formulation { surface_tension: tension, ..several_fluids() };
             second_fluid(s);
             s.blocks[1].fluid = 0;
             s.air = Some(Air { fluid: 1, capacity: 60, threshold: 0.5, minimum_density: 0.6 });

@@ -1,6 +1,7 @@
 //! Choices of kernel, density, pressure, viscosity and surface tension.
 use super::Add;
 use super::scenes::{pulled, second_fluid, walls};
+use crate::support::forms::several_fluids;
 use millpond_core::scene::{
     Correction, DensityDiffusion, DensityForm, EquationOfState, Evaluation, Formulation, Iteration, Kernel,
     NearPressure, PressureForce, PressureSolver, Scene, Shifting, SupportRange, SurfaceTension, Viscosity,
@@ -146,7 +147,7 @@ pub fn viscosity_and_tension(add: Add<'_>) {
                 walls(s);
             });
             add(format!("viscosity {viscosity:?}, walls {wall:?}, two fluids"), &|s| {
-                s.model = Formulation { viscosity, wall_pressure: wall, ..Formulation::multiphase() };
+                s.model = Formulation { viscosity, wall_pressure: wall, ..several_fluids() };
                 s.model.velocity_exchange = 0.1;
                 walls(s);
                 second_fluid(s);
@@ -166,7 +167,7 @@ pub fn viscosity_and_tension(add: Add<'_>) {
             });
         }
         add(format!("surface_tension {tension:?}, two fluids"), &|s| {
-            s.model = Formulation { surface_tension: tension, ..Formulation::multiphase() };
+            s.model = Formulation { surface_tension: tension, ..several_fluids() };
             second_fluid(s);
             pulled(s);
         });

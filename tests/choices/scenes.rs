@@ -1,8 +1,8 @@
 //! The scene against which choices are made, and features that several choices need to have an effect.
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
-    Block, Container, Dimension, Face, Fluid, Grid, NearPressure, PlaneModel, Scene, Sliding, SurfaceTension, Wall,
-    WallShape,
+    Block, Container, Dimension, Face, Fluid, Formulation, Grid, NearPressure, PlaneModel, Recipe, Scene, Sliding,
+    SurfaceTension, Wall, WallShape,
 };
 
 /// Returns a scene in which every choice has an effect: two blocks that collide above a floor, with gravity.
@@ -12,13 +12,16 @@ pub fn base(dimension: Dimension) -> Scene {
     let block =
         Block { corner: Vec3::new(0.1, 0.05, 0.1), size: Vec3::new(0.3, 0.4, depth), jitter: 0.3, ..Block::default() };
     let mut scene = Scene::of(dimension, 0.05, 0.001, fluid, block);
+    scene.model = Formulation::of(Recipe::Pirovano);
     let velocity = Vec3::new(-1.0, 0.5, 0.0);
     let other = Block { corner: Vec3::new(0.42, 0.05, 0.1), size: Vec3::new(0.2, 0.3, depth), velocity, ..block };
     scene.add_block(other).expect("room for a block");
     scene.gravity = Vec3::new(1.0, -9.81, 0.0);
-    scene.average_neighbours = if dimension == Dimension::Three { 30.0 } else { 18.0 };
+    scene.average_neighbours = Some(if dimension == Dimension::Three { 30.0 } else { 18.0 });
     scene.grid = Grid { cells: [8, 8, 4], ..Grid::default() };
-    scene.container = Some(Container { slip: 0.5, restitution: 0.3, ..Container::closed([0.0; 3], [0.8, 0.8, 0.4]) });
+    let model = PlaneModel::Penalty;
+    scene.container =
+        Some(Container { slip: 0.5, restitution: 0.3, model, ..Container::closed([0.0; 3], [0.8, 0.8, 0.4]) });
     scene
 }
 

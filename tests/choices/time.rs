@@ -1,6 +1,7 @@
 //! Choices of integrators, and of time steps that change.
 use super::Add;
 use super::scenes::{pulled, second_fluid, walls};
+use crate::support::forms::several_fluids;
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     AdaptiveTimeStep, Air, DensityForm, Formulation, Integrator, Periodic, Plasticity, PressureForce, PressureSolver,
@@ -23,7 +24,7 @@ pub fn time(add: Add<'_>) {
                 (s.model.integrator, s.model.reevaluate) = (integrator, true);
             });
             add(format!("integrator {integrator:?}, evaluated again with springs and tension"), &|s| {
-                s.model = Formulation { integrator, reevaluate: true, ..Formulation::multiphase() };
+                s.model = Formulation { integrator, reevaluate: true, ..several_fluids() };
                 s.model.surface_tension = SurfaceTension::NormalCurvature;
                 (s.fluids[0].elastic_stiffness, s.model.xsph, s.model.internal_energy) = (500.0, 0.1, true);
                 s.elasticity.plasticity = Some(Plasticity { rate: 20.0, yield_strain: 0.01 });
@@ -60,7 +61,7 @@ pub fn time(add: Add<'_>) {
             Some(AdaptiveTimeStep { smallest: 0.0009, reject_ratio: Some(1.0), ..AdaptiveTimeStep::default() });
     });
     add("adaptive with air".into(), &|s| {
-        s.model = Formulation::multiphase();
+        s.model = several_fluids();
         second_fluid(s);
         s.blocks[1].fluid = 0;
         s.air = Some(Air { fluid: 1, capacity: 60, threshold: 0.5, minimum_density: 0.6 });

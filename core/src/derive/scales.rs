@@ -36,8 +36,8 @@ impl Scales {
 /// (Pirovano, section 3.3).
 #[must_use]
 pub fn average_neighbours(scene: &Scene) -> f32 {
-    let of_scene =
-        scene.smoothing_ratio.map_or(scene.average_neighbours, |ratio| neighbours_within(scene.dimension, ratio));
+    let by_number = || scene.average_neighbours.unwrap_or(scene.dimension.average_neighbours());
+    let of_scene = scene.smoothing_ratio.map_or_else(by_number, |ratio| neighbours_within(scene.dimension, ratio));
     let own = scene.fluids.iter().map(|fluid| fluid.average_neighbours.unwrap_or(of_scene));
     own.fold(f32::INFINITY, f32::min)
 }

@@ -9,24 +9,28 @@ use crate::scene::{AdaptiveTimeStep, Block, Fluid, Scene, Viscosity};
 /// not limit the time step.
 pub(super) fn kinematic_viscosity(scene: &Scene, scales: &Scales, fluids: &[FluidConstants]) -> f64 {
     let largest = |all: &mut dyn Iterator<Item = f64>| all.fold(0.0, f64::max);
+    let artificial = || {
+        let sound = largest(&mut fluids.iter().map(|fluid| fluid.speed_of_sound));
+        let directions = 2.0 * (scene.dimension.count() as f64 + 2.0);
+        f64::from(scene.model.alpha) * scales.support_radius * sound / directions
+    };
+    let of_fluids = || {
+        let of = |viscosity: f32, fluid: &Fluid| [viscosity, fluid.rest_density].map(f64::from);
+        let own = |block: &Block| Some(of(block.dynamic_viscosity?, scene.fluid_of(block.fluid)));
+        let fluids = || scene.fluids.iter().map(|fluid| of(fluid.dynamic_viscosity, fluid));
+        let all = || fluids().chain(scene.blocks.iter().filter_map(own));
+        let pairs = all()
+            .flat_map(|[mu_a, rho_a]| all().map(move |[mu_b, rho_b]| 0.5 * (mu_a + mu_b) / f64::min(rho_a, rho_b)));
+        let lightest = scene.fluids.iter().map(|fluid| f64::from(fluid.rest_density)).fold(f64::INFINITY, f64::min);
+        let walls = scene.walls.iter().filter_map(|wall| wall.dynamic_viscosity);
+        let planes = scene.container.iter().filter_map(|container| container.dynamic_viscosity);
+        largest(&mut pairs.chain(walls.chain(planes).map(|viscosity| f64::from(viscosity) / lightest)))
+    };
     match scene.model.viscosity {
         Viscosity::VelocityExchange => 0.0,
-        Viscosity::Artificial => {
-            let sound = largest(&mut fluids.iter().map(|fluid| fluid.speed_of_sound));
-            let directions = 2.0 * (scene.dimension.count() as f64 + 2.0);
-            f64::from(scene.model.alpha) * scales.support_radius * sound / directions
-        }
-        _ => {
-            let of = |viscosity: f32, fluid: &Fluid| [viscosity, fluid.rest_density].map(f64::from);
-            let own = |block: &Block| Some(of(block.dynamic_viscosity?, scene.fluid_of(block.fluid)));
-            let fluids = || scene.fluids.iter().map(|fluid| of(fluid.dynamic_viscosity, fluid));
-            let all = || fluids().chain(scene.blocks.iter().filter_map(own));
-            let pairs = all()
-                .flat_map(|[mu_a, rho_a]| all().map(move |[mu_b, rho_b]| 0.5 * (mu_a + mu_b) / f64::min(rho_a, rho_b)));
-            let lightest = scene.fluids.iter().map(|fluid| f64::from(fluid.rest_density)).fold(f64::INFINITY, f64::min);
-            let walls = scene.walls.iter().filter_map(|wall| wall.dynamic_viscosity);
-            largest(&mut pairs.chain(walls.map(|viscosity| f64::from(viscosity) / lightest)))
-        }
+        Viscosity::Artificial => artificial(),
+        Viscosity::MorrisAndArtificial => artificial() + of_fluids(),
+        _ => of_fluids(),
     }
 }
 

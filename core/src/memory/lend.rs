@@ -1,5 +1,5 @@
 //! How memory is lent to a solver: some arrays by name, and an arena for all others.
-use super::requirements::{LINE_WORDS, Requirements};
+use super::requirements::{LINE_WORDS, LIST_WORDS, Requirements};
 use crate::error::SceneError;
 use crate::plan::arrays::Array;
 use bytemuck::Pod;
@@ -62,19 +62,23 @@ pub(super) struct Lender<'m, 'r> {
 }
 
 impl<'m> Lender<'m, '_> {
-    /// Number of words in which neighbour lists are made. The memory of the lists may have more words, because it also
-    /// holds the arrays that sort the particles.
-    pub(super) fn list_words(&self) -> usize {
+    /// Number of words in which neighbour lists are made, of those that were lent for them. They also hold the arrays
+    /// that sort the particles.
+    pub(super) fn list_words(&self, lent: usize) -> usize {
         // the range of a group refers to a chunk of codes by a u32
-        self.requirements.entries(Array::neighbours).min(self.most_neighbour_words).min(u32::MAX as usize)
+        lent.min(self.most_neighbour_words).min(u32::MAX as usize)
     }
 
     /// Returns a copy of an array in its required length. From the arena it is all zero. An array without this copy is
     /// empty.
     pub(super) fn take<T: Pod>(&mut self, array: Array, copy: usize) -> Result<&'m mut [T], SceneError> {
-        let entries = if copy < self.requirements.copies(array) { self.requirements.entries(array) } else { 0 };
-        let words = entries.saturating_mul(array.words());
+        let mut entries = if copy < self.requirements.copies(array) { self.requirements.entries(array) } else { 0 };
         let named = core::mem::take(&mut self.named[array as usize][copy]);
+        if array == Array::neighbours && !named.is_empty() {
+            // lists may be shorter than all neighbours need, but the sorting arrays must fit
+            entries = entries.min(named.len()).max(self.requirements.counts.particles.saturating_mul(LIST_WORDS));
+        }
+        let words = entries.saturating_mul(array.words());
         if !named.is_empty() {
             let capacity = named.len() / array.words();
             let error = SceneError::CapacityExceeded { what: array.name(), needed: entries, capacity };

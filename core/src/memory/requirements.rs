@@ -4,9 +4,20 @@ use crate::plan::Plan;
 use crate::plan::arrays::{Array, Class, Unit};
 use crate::validate::Checked;
 
-/// Words of the neighbour lists per particle: one for the range of its group, and two neighbours in each of the others.
-/// A group whose list does not fit searches its cells in each pass.
+/// Smallest number of words of the neighbour lists per particle: one for the range of its group, and two neighbours in
+/// each of the others. A group whose list does not fit searches its cells in each pass.
 pub const LIST_WORDS: usize = 21;
+
+/// Places in the lists per neighbour. Lists are padded, and a fluid may be compressed.
+const PLACES_PER_NEIGHBOUR: f32 = 1.25;
+
+/// Returns the words of the lists per particle that hold this number of neighbours.
+fn list_words(average_neighbours: f32) -> usize {
+    LIST_WORDS.max(1 + (average_neighbours * PLACES_PER_NEIGHBOUR / 2.0) as usize)
+}
+
+/// Words of the lists per particle in a [`Storage`](super::Storage): enough for 58 neighbours, the default in 3D.
+pub(super) const STORAGE_LIST_WORDS: usize = 37;
 
 /// Alignment of arrays in an arena, in words: a cache line.
 pub(super) const LINE_WORDS: usize = 16;
@@ -18,6 +29,8 @@ pub struct Counts {
     pub particles: usize,
     /// Number of cells; with air one more than the grid has, for inactive particles.
     pub cells: usize,
+    /// Words of the neighbour lists per particle.
+    pub list_words: usize,
     /// Number of spring ends, two per spring.
     pub spring_ends: usize,
     /// Largest number of air particles.
@@ -49,6 +62,7 @@ impl Requirements {
         let counts = Counts {
             particles: derived.particles(),
             cells: derived.parameters.cells[3] as usize,
+            list_words: list_words(derived.average_neighbours),
             spring_ends: if model.has_springs == 1 { derived.spring_ends } else { 0 },
             air: derived.air_particles,
             field_nodes: derived.field_counts[3] as usize,
@@ -78,7 +92,7 @@ impl Requirements {
     /// Number of entries of an array; 0 if it does not exist.
     #[must_use]
     pub fn entries(&self, array: Array) -> usize {
-        let Counts { particles, cells, spring_ends, air, field_nodes } = self.counts;
+        let Counts { particles, cells, list_words, spring_ends, air, field_nodes } = self.counts;
         if !array.exists(&self.model) {
             return 0;
         }
@@ -86,7 +100,7 @@ impl Requirements {
             Unit::Particle => particles,
             Unit::Cell => cells,
             Unit::CellPlace => cells.saturating_mul(self.model.cell_places as usize),
-            Unit::NeighbourWord => particles.saturating_mul(LIST_WORDS),
+            Unit::NeighbourWord => particles.saturating_mul(list_words.max(LIST_WORDS)),
             Unit::SpringEnd => spring_ends,
             Unit::SpawnRequest => particles.saturating_add(air),
             Unit::FieldPoint => field_nodes,

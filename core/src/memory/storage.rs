@@ -4,13 +4,13 @@
 //! of the binary. The solver itself only receives slices, wherever they come from, and is therefore compiled once for
 //! all capacities.
 use super::lend::Memory;
-use super::requirements::{LIST_WORDS, Requirements};
-use crate::layout::f32x4;
+use super::requirements::{Requirements, STORAGE_LIST_WORDS};
+use crate::layout::{TABLE_WORDS, f32x4};
 use crate::plan::arrays::Array;
 
 /// Memory for `N` particles and `CELLS` cells, with `PLACES` places per cell for cell lists (0, the default, for the
-/// index sort). It contains by name the arrays that every scene has. Arrays that only some features need come from an
-/// additional [`Arena`].
+/// index sort). It contains by name the arrays that a scene with the default formulas needs, in a container or without
+/// one. Arrays that only other features need come from an additional [`Arena`].
 ///
 /// As a `static`, or allocated by `Storage::boxed`, it is never on the stack, which a large one would overflow.
 ///
@@ -29,14 +29,16 @@ pub struct Storage<const N: usize, const CELLS: usize, const PLACES: usize = 0> 
     density_pressure: [[f32x4; N]; 2],
     id: [[u32; N]; 2],
     slot_of_id: [[u32; N]; 2],
-    neighbours: [[u32; LIST_WORDS]; N],
+    neighbours: [[u32; STORAGE_LIST_WORDS]; N],
     grid_cells: [[u32; PLACES]; CELLS],
     grid_cell_counters: [u32; CELLS],
     cell_start: [u32; CELLS],
+    previous_density_pressure: [f32x4; N],
+    kernel_tables: [f32; TABLE_WORDS],
 }
 
 /// The arrays that a storage contains by name.
-const NAMED: [Array; 10] = [
+const NAMED: [Array; 12] = [
     Array::position,
     Array::velocity,
     Array::acceleration,
@@ -47,6 +49,8 @@ const NAMED: [Array; 10] = [
     Array::grid_cells,
     Array::grid_cell_counters,
     Array::cell_start,
+    Array::previous_density_pressure,
+    Array::kernel_tables,
 ];
 
 impl<const N: usize, const CELLS: usize, const PLACES: usize> Storage<N, CELLS, PLACES> {
@@ -54,6 +58,7 @@ impl<const N: usize, const CELLS: usize, const PLACES: usize> Storage<N, CELLS, 
     /// the stack.
     #[must_use]
     #[expect(clippy::new_without_default, reason = "a default would be made on the stack")]
+    #[expect(clippy::large_stack_arrays, reason = "it is evaluated for a static")]
     pub const fn new() -> Self {
         Storage {
             position: [[[0.0; 4]; N]; 2],
@@ -62,10 +67,12 @@ impl<const N: usize, const CELLS: usize, const PLACES: usize> Storage<N, CELLS, 
             density_pressure: [[[0.0; 4]; N]; 2],
             id: [[0; N]; 2],
             slot_of_id: [[0; N]; 2],
-            neighbours: [[0; LIST_WORDS]; N],
+            neighbours: [[0; STORAGE_LIST_WORDS]; N],
             grid_cells: [[0; PLACES]; CELLS],
             grid_cell_counters: [0; CELLS],
             cell_start: [0; CELLS],
+            previous_density_pressure: [[0.0; 4]; N],
+            kernel_tables: [0.0; TABLE_WORDS],
         }
     }
 
@@ -100,6 +107,8 @@ impl<const N: usize, const CELLS: usize, const PLACES: usize> Storage<N, CELLS, 
             .with(Array::grid_cells, [self.grid_cells.as_flattened_mut()])
             .with(Array::grid_cell_counters, [self.grid_cell_counters.as_mut_slice()])
             .with(Array::cell_start, [self.cell_start.as_mut_slice()])
+            .with(Array::previous_density_pressure, [self.previous_density_pressure.as_mut_slice()])
+            .with(Array::kernel_tables, [self.kernel_tables.as_mut_slice()])
     }
 }
 

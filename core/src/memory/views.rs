@@ -136,11 +136,9 @@ impl<'m> Memory<'m> {
     /// Divides the memory into the arrays of a simulation with these requirements.
     pub(crate) fn carve(self, requirements: &Requirements) -> Result<Arrays<'m>, SceneError> {
         let mut lender = self.lender(requirements);
-        Ok(Arrays {
-            states: [State::carve(&mut lender, 0)?, State::carve(&mut lender, 1)?],
-            scratch: Scratch::carve(&mut lender, 0)?,
-            given: Given::carve(&mut lender, 0)?,
-            list_words: lender.list_words(),
-        })
+        let states = [State::carve(&mut lender, 0)?, State::carve(&mut lender, 1)?];
+        let scratch = Scratch::carve(&mut lender, 0)?;
+        let list_words = lender.list_words(scratch.neighbours.len());
+        Ok(Arrays { states, scratch, given: Given::carve(&mut lender, 0)?, list_words })
     }
 }

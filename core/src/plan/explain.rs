@@ -2,10 +2,10 @@
 use super::Plan;
 use super::passes::Pass;
 use crate::scene::{PressureSolver, Viscosity};
-use crate::terms::beyond::has_wall_friction;
 use crate::terms::diffusion::RENORMALISED;
 use crate::terms::extrapolation::extrapolates_velocity;
 use crate::terms::shifting::{NO_SHIFTING, drifts};
+use crate::terms::viscosity::has_friction;
 use crate::terms::{density, integrate, tension};
 use heapless::Vec;
 
@@ -65,10 +65,13 @@ impl Plan {
                 add(slope, !corrects);
                 add(choice.wall_pressure.terms(), m.wall_particles != 0);
                 add(&choice.near_pressure.terms()[choice.near_pressure.terms().len().min(1)..], m.near_pressure != 0);
-                add(choice.viscosity.terms(), m.viscosity != 0 && choice.viscosity != Viscosity::VelocityExchange);
+                let viscosity = Viscosity::ALL.iter().find(|form| **form as u32 == m.viscosity);
+                for form in viscosity.iter().filter(|form| ***form != Viscosity::VelocityExchange) {
+                    add(form.terms(), true);
+                }
                 add(choice.surface_tension.terms(), m.tension != 0 && !m.has_curvature());
                 add(&["wall_push"], m.has_closed_walls == 1 && !corrects);
-                add(&["wall_rub"], m.has_closed_walls == 1 && has_wall_friction(m));
+                add(&["wall_rub"], m.has_closed_walls == 1 && has_friction(m));
                 add(&["exchange_neighbour"], m.has_velocity_exchange == 1);
                 add(&["weight"], m.has_gravity == 1);
                 add(&["buoyancy"], m.has_buoyancy == 1);
@@ -132,6 +135,9 @@ impl Plan {
                 "viscosity",
                 match choice.viscosity {
                     Viscosity::Artificial => "model.alpha and model.beta are 0",
+                    Viscosity::MorrisAndArtificial => {
+                        "model.alpha and model.beta are 0, and dynamic_viscosity is 0 in every fluid"
+                    }
                     Viscosity::VelocityExchange => "model.viscosity is VelocityExchange",
                     _ => "dynamic_viscosity is 0 in every fluid",
                 },

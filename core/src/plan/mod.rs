@@ -43,17 +43,24 @@ impl Plan {
         let viscous = scene.blocks.iter().any(|b| b.dynamic_viscosity.is_some_and(|mu| mu != 0.0))
             || scene.walls.iter().any(|w| w.dynamic_viscosity.is_some_and(|mu| mu != 0.0))
             || scene.container.iter().any(|c| c.dynamic_viscosity.is_some_and(|mu| mu != 0.0));
-        let drags = match choice.viscosity {
-            Viscosity::Artificial => choice.alpha != 0.0 || choice.beta != 0.0,
-            Viscosity::VelocityExchange => false,
-            _ => viscous || scene.fluids.iter().any(|fluid| fluid.dynamic_viscosity != 0.0),
+        let rubs = viscous
+            || scene.fluids.iter().any(|fluid| fluid.dynamic_viscosity != 0.0)
+            || scene.adjustable.contains(&Adjustable::Viscosity);
+        let damps = choice.alpha != 0.0 || choice.beta != 0.0;
+        let viscosity = match choice.viscosity {
+            Viscosity::Artificial if damps => viscosity::ARTIFICIAL,
+            Viscosity::Artificial | Viscosity::VelocityExchange => viscosity::NO_VISCOSITY,
+            Viscosity::MorrisAndArtificial if rubs && !damps => viscosity::MORRIS,
+            // alone it acts at walls of particles too
+            Viscosity::MorrisAndArtificial if damps && !rubs && scene.walls.is_empty() => viscosity::ARTIFICIAL,
+            form if rubs || (damps && form == Viscosity::MorrisAndArtificial) => form as u32,
+            _ => viscosity::NO_VISCOSITY,
         };
         let near = choice.near_pressure != NearPressure::Off
             && scene.fluids.iter().any(|fluid| fluid.near_stiffness != Some(0.0));
         let pulls = scene.fluids.iter().any(|fluid| fluid.surface_tension != 0.0);
         let several = scene.fluids.len() > 1;
         let live = |term: Adjustable| scene.adjustable.contains(&term);
-        let drags = drags || live(Adjustable::Viscosity);
         let pulls = pulls || live(Adjustable::SurfaceTension);
         let blocks_differ = scene.blocks.iter().any(|b| b.dynamic_viscosity.is_some());
         Plan {
@@ -64,7 +71,7 @@ impl Plan {
                     everything.model.density_diffusion
                 },
                 near_pressure: if near { everything.model.near_pressure } else { near::NEAR_OFF },
-                viscosity: if drags { everything.model.viscosity } else { viscosity::NO_VISCOSITY },
+                viscosity,
                 has_velocity_exchange: u32::from(shears || choice.radial_exchange != 0.0),
                 has_gravity: u32::from(scene.gravity != Vec3::ZERO || live(Adjustable::Gravity)),
                 has_buoyancy: u32::from(scene.ambient_density != 0.0),

@@ -89,7 +89,7 @@ choice! {
     /// pair by pair. Its coefficient is [`Formulation::diffusion`](super::Formulation::diffusion).
     #[derive(Default)]
     pub enum DensityDiffusion {
-        /// No diffusion (default).
+        /// No diffusion.
         #[default]
         Off = diffusion::NO_DIFFUSION => &[],
         /// Diffusion of the density (Molteni and Colagrossi 2009). It also works against the gradient of density that
@@ -227,6 +227,9 @@ choice! {
         /// fluids of different densities. Needs a number density: a density other than `Summation` and `Continuity`,
         /// or an adapted pressure force ([`PressureForce::is_adapted`]).
         MuellerAdapted = viscosity::MUELLER_ADAPTED_VISCOSITY => &["viscosity_mueller"],
+        /// `Morris` and, between fluid particles, `Artificial` in addition: the friction of the fluid, and a damping of
+        /// the noise of particles that vanishes with the spacing. Walls have the friction only.
+        MorrisAndArtificial = viscosity::MORRIS_AND_ARTIFICIAL => &["viscosity_morris", "viscosity_artificial"],
     }
 }
 

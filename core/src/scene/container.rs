@@ -2,8 +2,8 @@
 use glam::Vec3;
 use heapless::Vec;
 
-/// A box of planes. A particle found behind a plane is put back onto it, and its velocity is reflected (penalty planes;
-/// Pirovano, section 3.5.1). With [`PlaneModel::ClosedForm`] the fluid also feels the planes before it comes to them.
+/// A box of planes. The fluid feels them before it comes to them ([`PlaneModel::ClosedForm`]), and a particle that is
+/// found behind a plane is put back onto it, and its velocity is reflected (penalty planes; Pirovano, section 3.5.1).
 /// There are no planes along a periodic axis, and in 2D none along z.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
@@ -26,7 +26,7 @@ pub struct Container {
     /// Faces without a plane, such as the lid (Pirovano's direction control; default none).
     #[cfg_attr(feature = "serde", serde(default))]
     pub open: Vec<Face, FACES>,
-    /// How the fluid feels the planes before it comes to them (default not at all).
+    /// How the fluid feels the planes before it comes to them (default as walls in closed form).
     #[cfg_attr(feature = "serde", serde(default))]
     pub model: PlaneModel,
     /// Dynamic viscosity between a plane and a fluid particle, Pa s, 0 or more (default `None`: that of the fluid
@@ -91,12 +91,12 @@ pub enum Reflection {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(u32)]
 pub enum PlaneModel {
-    /// Not before a particle is behind a plane (default). Sums near a plane miss what lies beyond it.
-    #[default]
+    /// Not before a particle is behind a plane. Sums near a plane miss what lies beyond it.
     Penalty = 0,
     /// As a wall in closed form: the part of the kernel that lies beyond the planes completes density, pressure force
     /// and friction, as if the fluid went on there with the pressure that its weight gives it (Kulasegaram et al. 2004;
-    /// Ferrand et al. 2013). It needs no wall particles.
+    /// Ferrand et al. 2013; default). It needs no wall particles.
+    #[default]
     ClosedForm = 1,
 }
 

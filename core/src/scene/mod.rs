@@ -14,6 +14,7 @@ mod initial;
 #[cfg(feature = "serde")]
 mod list;
 mod model;
+mod recipe;
 mod recovery;
 mod surroundings;
 mod time;
@@ -31,6 +32,7 @@ pub use fluid::{Block, FLUIDS, Fluid};
 pub use grid::{Grid, GridStructure, Traversal};
 pub use initial::InitialParticle;
 pub use model::{Correction, Formulation, SupportRange};
+pub use recipe::Recipe;
 pub use recovery::Recovery;
 pub use surroundings::{AccelerationField, Periodic, WALLS, Wall, WallShape, Wind};
 pub use time::AdaptiveTimeStep;
@@ -55,12 +57,12 @@ pub struct Scene {
     /// more particles and a shorter time step.
     pub particle_spacing: f32,
     /// Number of particles inside the support radius, including the particle itself (Pirovano, section 4.1.5; default
-    /// 32). More neighbours make the motion smoother and the step slower.
-    #[cfg_attr(feature = "serde", serde(default = "default_average_neighbours"))]
-    pub average_neighbours: f32,
+    /// `None`: 32 in 2D and 58 in 3D, [`Dimension::average_neighbours`]). More neighbours make the motion smoother and
+    /// the step slower.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub average_neighbours: Option<f32>,
     /// Ratio of smoothing length to particle spacing, h/dx, as much of the literature gives it; the support radius is
-    /// twice the smoothing length. It replaces `average_neighbours`, and a scene that also changes `average_neighbours`
-    /// from its default is rejected (default `None`).
+    /// twice the smoothing length. It replaces `average_neighbours`, and a scene with both is rejected (default `None`).
     #[cfg_attr(feature = "serde", serde(default))]
     pub smoothing_ratio: Option<f32>,
     /// Time step, s, larger than 0. With an adaptive time step it is the upper bound of the first step. The fluid
@@ -97,7 +99,7 @@ pub struct Scene {
     pub fluids: Vec<Fluid, FLUIDS>,
     /// The blocks of fluid at the start.
     pub blocks: Vec<Block, BLOCKS>,
-    /// Container of penalty planes, which put particles that cross them back (default none).
+    /// Container of planes (default none).
     #[cfg_attr(feature = "serde", serde(default))]
     pub container: Option<Container>,
     /// Walls of fixed particles (default none).
@@ -125,28 +127,20 @@ pub struct Scene {
     pub adjustable: Vec<Adjustable, { Adjustable::COUNT }>,
 }
 
-/// Default of [`Scene::average_neighbours`].
-pub(crate) const AVERAGE_NEIGHBOURS: f32 = 32.0;
-
-#[cfg(feature = "serde")]
-fn default_average_neighbours() -> f32 {
-    AVERAGE_NEIGHBOURS
-}
-
 /// Adds an item to a list of a scene; `field` names the list in the error.
 fn push<T, const N: usize>(list: &mut Vec<T, N>, item: T, field: &'static str) -> Result<(), SceneError> {
     list.push(item).map_err(|_| SceneError::ListIsFull { field: field.into(), capacity: N as u32 })
 }
 
 impl Scene {
-    /// Returns a scene with one block and defaults for everything else: no gravity, no walls, and the formulas of
-    /// Pirovano ([`Formulation::default`]).
+    /// Returns a scene with one block and defaults for everything else: no gravity, no walls, and the formulas for a
+    /// free surface ([`Recipe::FreeSurface`]).
     #[must_use]
     pub fn of(dimension: Dimension, particle_spacing: f32, time_step: f32, fluid: Fluid, block: Block) -> Scene {
         Scene {
             dimension,
             particle_spacing,
-            average_neighbours: AVERAGE_NEIGHBOURS,
+            average_neighbours: None,
             smoothing_ratio: None,
             time_step,
             adaptive: None,

@@ -3,194 +3,173 @@ use super::choice::{
     DensityDiffusion, DensityForm, EquationOfState, Evaluation, Integrator, Iteration, Kernel, NearPressure,
     PressureForce, PressureSolver, Shifting, SurfaceTension, Viscosity, WallPressure,
 };
+use super::recipe::Recipe;
 
-/// The formulas of a scene and their coefficients, which are the same for all fluids. The defaults are those of
-/// Pirovano, section 4.1.2, for a single fluid. [`Formulation::modern`] and [`Formulation::multiphase`] are better
-/// choices for new scenes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields, default))]
-pub struct Formulation {
-    /// Time integration (default modified velocity Verlet). [`AdaptiveTimeStep`](super::AdaptiveTimeStep), air and
-    /// pressure correction each work with some integrators only.
-    pub integrator: Integrator,
-    /// Evaluates forces a second time at the end of each step, with the velocities of that time (Pirovano, eq. 2.33,
-    /// corrected; default off). This doubles the cost of a step and allows larger steps under damping. An exception is
-    /// Verlet, which becomes less stable but gains an order of accuracy; the other integrators keep their orders.
-    pub reevaluate: bool,
-    /// Kernel of the density sum and of XSPH (default Poly6).
-    pub density_kernel: Kernel,
-    /// Kernel of the pressure gradient and of the divergence in the continuity equation (default Spiky).
-    pub pressure_kernel: Kernel,
-    /// Kernel of the viscosity (default the viscosity kernel of Mueller et al. 2003).
-    pub viscosity_kernel: Kernel,
-    /// Whether kernels are evaluated by their formulas or from tables (default formulas).
-    pub evaluation: Evaluation,
-    /// How density is computed (default summation).
-    pub density: DensityForm,
-    /// Diffusion of the density (default off), with [`DensityForm::Continuity`] or [`DensityForm::ContinuityAdapted`].
-    pub density_diffusion: DensityDiffusion,
-    /// Coefficient of the diffusion of density, 0 to 1 (default 0.1, as Molteni and Colagrossi 2009 and Fourtakas et
-    /// al. 2019 use). The diffusivity is this times the smoothing length times the speed of sound.
-    pub diffusion: f32,
-    /// Starts with the hydrostatic density of a fluid at rest under gravity, and with particle masses that match it
-    /// (Roy, section 3.1; default off). Each fluid is taken to be a layer perpendicular to gravity, from the highest
-    /// to the lowest point of its blocks. Use it for a fluid that is to be at rest at the start.
-    #[cfg_attr(feature = "serde", serde(alias = "hydrostatic_start"))]
-    pub initialize_hydrostatic: bool,
-    /// Scales the particle mass so that the density sum over the initial lattice is exactly the rest density (default
-    /// off). Otherwise a particle has the mass `rest_density * particle_spacing^d` in d dimensions.
-    #[cfg_attr(feature = "serde", serde(alias = "calibrated_mass"))]
-    pub normalize_mass: bool,
-    /// How pressure is found (default by an equation of state).
-    pub pressure_solver: PressureSolver,
-    /// How pressure follows from density (default Tait), with [`PressureSolver::EquationOfState`]. A fluid may have
-    /// its own ([`Fluid::equation_of_state`](super::Fluid::equation_of_state)).
-    pub equation_of_state: EquationOfState,
-    /// Exponent of Tait's equation, a whole number from 1 to 7 (Roy's gamma; default 7, that of water). The larger it
-    /// is, the less the density of a fluid that is compressed strongly differs from the rest density.
-    pub tait_exponent: u32,
-    /// How pressure is iterated, with [`PressureSolver::PressureCorrection`].
-    pub correction: Correction,
-    /// Whether pressure may be negative (default true). Negative pressure holds a fluid with free surfaces together,
-    /// but lets particles pair where there is no near pressure.
-    #[cfg_attr(feature = "serde", serde(alias = "suction"))]
-    pub negative_pressure: bool,
-    /// Form of the pressure gradient (default that of Mueller et al. 2003).
-    pub pressure_force: PressureForce,
-    /// Near pressure, which keeps particles from pairing (default proportional to density).
-    pub near_pressure: NearPressure,
-    /// Form of the viscosity (default that of Mueller et al. 2003). Its coefficient is
-    /// [`Fluid::dynamic_viscosity`](super::Fluid::dynamic_viscosity) or, for two of the forms, one of the next fields.
-    pub viscosity: Viscosity,
-    /// Linear coefficient of [`Viscosity::Artificial`], 0 or more (default 1). The formula uses the support radius
-    /// where Monaghan 1992 uses the smoothing length, half of it. Therefore the same alpha gives twice his viscosity.
-    pub alpha: f32,
-    /// Quadratic coefficient of [`Viscosity::Artificial`], 0 or more (default 2).
-    pub beta: f32,
-    /// Coefficient of [`Viscosity::VelocityExchange`] (Gourlay), 0 to 1 (default 0): the share of the difference
-    /// between two velocities that the two particles exchange in a step at distance 0. If the shares of all neighbours
-    /// of a particle add up to more than 1, they are scaled down to a sum of 1.
-    pub velocity_exchange: f32,
-    /// The same coefficient for the part of the velocity with which two particles approach each other (Gourlay's shock
-    /// viscosity), 0 to 1 (default 0). It acts in addition to any [`Formulation::viscosity`].
-    pub radial_exchange: f32,
-    /// Coefficient of XSPH, 0 to 1 (Monaghan 1989; Pirovano, eq. 2.16, corrected; default 0, off): how much the
-    /// velocity with which a particle is moved is shifted towards the velocities of its neighbours. It makes the
-    /// motion smoother.
-    pub xsph: f32,
-    /// Shifting of particles to an even distribution (default off).
-    pub shifting: Shifting,
-    /// Coefficient of the shifting, 0 to 1 (default 1). With [`Shifting::Fickian`] it scales the velocity of the
-    /// shifting; with [`Shifting::TransportVelocity`] the background pressure is this times `rho0 c0^2`.
-    pub shifting_coefficient: f32,
-    /// Speed U of [`Shifting::Fickian`], m/s, larger than 0: about the fastest speed of the flow, as Sun et al. 2017
-    /// choose it (default `None`: about the largest speed with which the neighbours of a particle approach or leave it.
-    /// It needs no knowledge of the flow, and vanishes where a fluid does not deform; but it shifts too little for a
-    /// lattice on which a flow converges for long).
-    pub shifting_speed: Option<f32>,
-    /// Shifts particles across the interfaces of fluids, as if all particles were of one fluid (default off: at an
-    /// interface particles move along it only). It smears interfaces. Only with [`Shifting::Fickian`].
-    pub shift_across_interfaces: bool,
-    /// Tensile control: inside the fluid particles with a negative pressure do not attract their neighbours; a pair
-    /// exchanges the difference of its pressures instead (Sun et al. 2018; default off). It keeps stretched fluid from
-    /// tearing. Such forces are not equal and opposite, so momentum is conserved only as well as the particles are
-    /// evenly distributed; shifting sees to that.
-    pub tensile_control: bool,
-    /// Model of the surface tension (default off). Its coefficient is
-    /// [`Fluid::surface_tension`](super::Fluid::surface_tension).
-    pub surface_tension: SurfaceTension,
-    /// Length of the normal, times the support radius, above which a particle counts as being at the surface
-    /// (Pirovano, section 3.4.4; default 0.1; larger than 0). With [`SurfaceTension::Curvature`] and
-    /// [`SurfaceTension::NormalCurvature`] tension acts only on these particles.
-    pub surface_threshold: f32,
-    /// Computes normals and surface flags for your program even if no surface tension needs them (default off).
-    pub surface_normals: bool,
-    /// Integrates the internal energy of the particles: the work of compression and the dissipation of viscosity (Roy;
-    /// Gourlay; default off). It does not act back on the motion.
-    #[cfg_attr(feature = "serde", serde(alias = "thermal_energy"))]
-    pub internal_energy: bool,
-    /// Share of the dissipated energy that becomes internal energy (Gourlay's gain), 0 to 1 (default 1). It is used if
-    /// [`internal_energy`](Formulation::internal_energy) is on.
-    pub heat_gain: f32,
-    /// Bounds of a variable support radius, which follows the density so that the number of neighbours stays constant
-    /// (Pirovano, eq. 4.2, corrected; default `None`, the scene's support radius for all particles).
-    pub variable_support: Option<SupportRange>,
-    /// The pressure that fluid particles see at wall particles (default their own, mirrored).
-    pub wall_pressure: WallPressure,
+/// Defines the formulation, and the same fields as a scene file gives them: a recipe, and what differs from it.
+macro_rules! formulation {
+    ($(#[$doc:meta])* pub struct Formulation { $($(#[$about:meta])* pub $field:ident: $type:ty,)* }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(from = "Given"))]
+        pub struct Formulation { $($(#[$about])* pub $field: $type,)* }
+
+        #[cfg(feature = "serde")]
+        #[derive(Default, serde::Deserialize)]
+        #[serde(rename = "Formulation", deny_unknown_fields, default)]
+        struct Given {
+            recipe: Recipe,
+            $($(#[$about])* #[serde(deserialize_with = "given")] $field: Option<$type>,)*
+        }
+
+        #[cfg(feature = "serde")]
+        impl From<Given> for Formulation {
+            fn from(file: Given) -> Formulation {
+                let base = Formulation::of(file.recipe);
+                Formulation { $($field: file.$field.unwrap_or(base.$field),)* }
+            }
+        }
+    };
+}
+
+formulation! {
+    /// The formulas of a scene and their coefficients, which are the same for all fluids.
+    ///
+    /// Start from a [`Recipe`] ([`Formulation::of`]) and change what differs. The default is [`Recipe::FreeSurface`];
+    /// the defaults named below are its choices. A scene file names the recipe by the field `recipe`.
+    pub struct Formulation {
+        /// Time integration (default modified velocity Verlet). [`AdaptiveTimeStep`](super::AdaptiveTimeStep), air and
+        /// pressure correction each work with some integrators only.
+        pub integrator: Integrator,
+        /// Evaluates forces a second time at the end of each step, with the velocities of that time (Pirovano, eq.
+        /// 2.33, corrected; default off). This doubles the cost of a step and allows larger steps under damping. An
+        /// exception is Verlet, which becomes less stable but gains an order of accuracy; the other integrators keep
+        /// their orders.
+        pub reevaluate: bool,
+        /// Kernel of the density sum and of XSPH (default Wendland C2).
+        pub density_kernel: Kernel,
+        /// Kernel of the pressure gradient and of the divergence in the continuity equation (default Wendland C2).
+        pub pressure_kernel: Kernel,
+        /// Kernel of the viscosity (default Wendland C2).
+        pub viscosity_kernel: Kernel,
+        /// Whether kernels are evaluated by their formulas or from tables (default formulas).
+        pub evaluation: Evaluation,
+        /// How density is computed (default by the continuity equation).
+        pub density: DensityForm,
+        /// Diffusion of the density (default hydrostatic), with [`DensityForm::Continuity`] or
+        /// [`DensityForm::ContinuityAdapted`].
+        pub density_diffusion: DensityDiffusion,
+        /// Coefficient of the diffusion of density, 0 to 1 (default 0.1, as Molteni and Colagrossi 2009 and Fourtakas
+        /// et al. 2019 use). The diffusivity is this times the smoothing length times the speed of sound.
+        pub diffusion: f32,
+        /// Starts with the hydrostatic density of a fluid at rest under gravity, and with particle masses that match it
+        /// (Roy, section 3.1; default off). Each fluid is taken to be a layer perpendicular to gravity, from the
+        /// highest to the lowest point of its blocks. Use it for a fluid that is to be at rest at the start.
+        #[cfg_attr(feature = "serde", serde(alias = "hydrostatic_start"))]
+        pub initialize_hydrostatic: bool,
+        /// Scales the particle mass so that the density sum over the initial lattice is exactly the rest density
+        /// (default on). Otherwise a particle has the mass `rest_density * particle_spacing^d` in d dimensions.
+        #[cfg_attr(feature = "serde", serde(alias = "calibrated_mass"))]
+        pub normalize_mass: bool,
+        /// How pressure is found (default by an equation of state).
+        pub pressure_solver: PressureSolver,
+        /// How pressure follows from density (default Tait), with [`PressureSolver::EquationOfState`]. A fluid may have
+        /// its own ([`Fluid::equation_of_state`](super::Fluid::equation_of_state)).
+        pub equation_of_state: EquationOfState,
+        /// Exponent of Tait's equation, a whole number from 1 to 7 (Roy's gamma; default 7, that of water). The larger
+        /// it is, the less the density of a fluid that is compressed strongly differs from the rest density.
+        pub tait_exponent: u32,
+        /// How pressure is iterated, with [`PressureSolver::PressureCorrection`].
+        pub correction: Correction,
+        /// Whether pressure may be negative (default false). Negative pressure holds a fluid with free surfaces
+        /// together, but lets particles pair where there is no near pressure.
+        #[cfg_attr(feature = "serde", serde(alias = "suction"))]
+        pub negative_pressure: bool,
+        /// Form of the pressure gradient (default that of Monaghan 1992).
+        pub pressure_force: PressureForce,
+        /// Near pressure, which keeps particles from pairing (default off).
+        pub near_pressure: NearPressure,
+        /// Form of the viscosity (default that of Morris et al. 1997, and a little artificial viscosity). Its
+        /// coefficient is [`Fluid::dynamic_viscosity`](super::Fluid::dynamic_viscosity) or, for two of the forms, one
+        /// of the next fields.
+        pub viscosity: Viscosity,
+        /// Linear coefficient of [`Viscosity::Artificial`], 0 or more (default 0.01). The formula uses the support
+        /// radius where Monaghan 1992 uses the smoothing length, half of it. Therefore the same alpha gives twice his
+        /// viscosity.
+        pub alpha: f32,
+        /// Quadratic coefficient of [`Viscosity::Artificial`], 0 or more (default 0).
+        pub beta: f32,
+        /// Coefficient of [`Viscosity::VelocityExchange`] (Gourlay), 0 to 1 (default 0): the share of the difference
+        /// between two velocities that the two particles exchange in a step at distance 0. If the shares of all
+        /// neighbours of a particle add up to more than 1, they are scaled down to a sum of 1.
+        pub velocity_exchange: f32,
+        /// The same coefficient for the part of the velocity with which two particles approach each other (Gourlay's
+        /// shock viscosity), 0 to 1 (default 0). It acts in addition to any [`Formulation::viscosity`].
+        pub radial_exchange: f32,
+        /// Coefficient of XSPH, 0 to 1 (Monaghan 1989; Pirovano, eq. 2.16, corrected; default 0, off): how much the
+        /// velocity with which a particle is moved is shifted towards the velocities of its neighbours. It makes the
+        /// motion smoother.
+        pub xsph: f32,
+        /// Shifting of particles to an even distribution (default off).
+        pub shifting: Shifting,
+        /// Coefficient of the shifting, 0 to 1 (default 1). With [`Shifting::Fickian`] it scales the velocity of the
+        /// shifting; with [`Shifting::TransportVelocity`] the background pressure is this times `rho0 c0^2`.
+        pub shifting_coefficient: f32,
+        /// Speed U of [`Shifting::Fickian`], m/s, larger than 0: about the fastest speed of the flow, as Sun et al.
+        /// 2017 choose it (default `None`: about the largest speed with which the neighbours of a particle approach or
+        /// leave it. It needs no knowledge of the flow, and vanishes where a fluid does not deform; but it shifts too
+        /// little for a lattice on which a flow converges for long).
+        pub shifting_speed: Option<f32>,
+        /// Shifts particles across the interfaces of fluids, as if all particles were of one fluid (default off: at an
+        /// interface particles move along it only). It smears interfaces. Only with [`Shifting::Fickian`].
+        pub shift_across_interfaces: bool,
+        /// Tensile control: inside the fluid particles with a negative pressure do not attract their neighbours; a pair
+        /// exchanges the difference of its pressures instead (Sun et al. 2018; default off). It keeps stretched fluid
+        /// from tearing. Such forces are not equal and opposite, so momentum is conserved only as well as the particles
+        /// are evenly distributed; shifting sees to that.
+        pub tensile_control: bool,
+        /// Model of the surface tension (default off). Its coefficient is
+        /// [`Fluid::surface_tension`](super::Fluid::surface_tension).
+        pub surface_tension: SurfaceTension,
+        /// Length of the normal, times the support radius, above which a particle counts as being at the surface
+        /// (Pirovano, section 3.4.4; default 0.1; larger than 0). With [`SurfaceTension::Curvature`] and
+        /// [`SurfaceTension::NormalCurvature`] tension acts only on these particles.
+        pub surface_threshold: f32,
+        /// Computes normals and surface flags for your program even if no surface tension needs them (default off).
+        pub surface_normals: bool,
+        /// Integrates the internal energy of the particles: the work of compression and the dissipation of viscosity
+        /// (Roy; Gourlay; default off). It does not act back on the motion.
+        #[cfg_attr(feature = "serde", serde(alias = "thermal_energy"))]
+        pub internal_energy: bool,
+        /// Share of the dissipated energy that becomes internal energy (Gourlay's gain), 0 to 1 (default 1). It is used
+        /// if [`internal_energy`](Formulation::internal_energy) is on.
+        pub heat_gain: f32,
+        /// Bounds of a variable support radius, which follows the density so that the number of neighbours stays
+        /// constant (Pirovano, eq. 4.2, corrected; default `None`, the scene's support radius for all particles).
+        pub variable_support: Option<SupportRange>,
+        /// The pressure that fluid particles see at wall particles (default that of the fluid around these,
+        /// extrapolated).
+        pub wall_pressure: WallPressure,
+    }
+}
+
+impl Formulation {
+    /// Returns the formulas for a kind of flow, or those of a source.
+    #[must_use]
+    pub const fn of(recipe: Recipe) -> Formulation {
+        recipe.formulation()
+    }
 }
 
 impl Default for Formulation {
     fn default() -> Self {
-        Formulation {
-            integrator: Integrator::default(),
-            reevaluate: false,
-            density_kernel: Kernel::Poly6,
-            pressure_kernel: Kernel::Spiky,
-            viscosity_kernel: Kernel::Viscosity,
-            evaluation: Evaluation::Direct,
-            density: DensityForm::Summation,
-            density_diffusion: DensityDiffusion::Off,
-            diffusion: 0.1,
-            initialize_hydrostatic: false,
-            normalize_mass: false,
-            pressure_solver: PressureSolver::EquationOfState,
-            equation_of_state: EquationOfState::Tait,
-            tait_exponent: 7,
-            correction: Correction::default(),
-            negative_pressure: true,
-            pressure_force: PressureForce::Mueller,
-            near_pressure: NearPressure::DensityProportional,
-            viscosity: Viscosity::Mueller,
-            alpha: 1.0,
-            beta: 2.0,
-            velocity_exchange: 0.0,
-            radial_exchange: 0.0,
-            xsph: 0.0,
-            shifting: Shifting::Off,
-            shifting_coefficient: 1.0,
-            shifting_speed: None,
-            shift_across_interfaces: false,
-            tensile_control: false,
-            surface_tension: SurfaceTension::Off,
-            surface_threshold: 0.1,
-            surface_normals: false,
-            internal_energy: false,
-            heat_gain: 1.0,
-            variable_support: None,
-            wall_pressure: WallPressure::Mirrored,
-        }
+        Formulation::of(Recipe::default())
     }
 }
 
-impl Formulation {
-    /// Returns the choices that later literature recommends for one fluid: a Wendland kernel throughout, with which
-    /// particles do not pair, the symmetric pressure gradient, the viscosity of Morris et al. 1997, and therefore no
-    /// near pressure.
-    #[must_use]
-    pub fn modern() -> Formulation {
-        Formulation {
-            density_kernel: Kernel::WendlandC2,
-            pressure_kernel: Kernel::WendlandC2,
-            viscosity_kernel: Kernel::WendlandC2,
-            pressure_force: PressureForce::Monaghan,
-            near_pressure: NearPressure::Off,
-            viscosity: Viscosity::Morris,
-            ..Formulation::default()
-        }
-    }
-}
-
-impl Formulation {
-    /// Returns [`Formulation::modern`] for several fluids: a density form for fluids of different densities (Pirovano,
-    /// section 3.4.3), and the pressure force that keeps their interface at rest.
-    #[must_use]
-    pub fn multiphase() -> Formulation {
-        Formulation {
-            density: DensityForm::SummationAdapted,
-            pressure_force: PressureForce::DensityWeighted,
-            ..Formulation::modern()
-        }
-    }
+/// Reads the value of a field that a scene file gives.
+#[cfg(feature = "serde")]
+fn given<'d, T: serde::Deserialize<'d>, D: serde::Deserializer<'d>>(value: D) -> Result<Option<T>, D::Error> {
+    T::deserialize(value).map(Some)
 }
 
 /// Settings of the pressure correction (Pirovano, section 3.2.2, corrected), used with

@@ -11,7 +11,6 @@
 use super::geometry::*;
 use super::pair::*;
 use super::pressure::*;
-use super::viscosity::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters, Tables};
 
@@ -90,13 +89,6 @@ pub fn normal_diagonal<R: Real>(n: vec3<R>) -> vec3<R> {
 #[inline(always)]
 pub fn normal_mixed<R: Real>(n: vec3<R>) -> vec3<R> {
     return vec3(n.x * n.y, n.x * n.z, n.y * n.z);
-}
-
-/// Returns whether walls in closed form have friction. With artificial viscosity and with the exchange of velocities as
-/// the viscosity they have none.
-#[inline(always)]
-pub fn has_wall_friction(m: &Model) -> bool {
-    return m.viscosity != NO_VISCOSITY && m.viscosity != ARTIFICIAL && m.viscosity != VELOCITY_EXCHANGE;
 }
 
 /// Returns `mu (v - v_w) W1 / d` along a plane, N/m3. Beyond the plane the velocity is continued so that it is that of

@@ -17,7 +17,7 @@ pub fn extrapolates_velocity(m: &Model) -> bool {
     if m.wall_particles != EXTRAPOLATED {
         return false;
     }
-    return m.viscosity != NO_VISCOSITY && m.viscosity != ARTIFICIAL && m.viscosity != VELOCITY_EXCHANGE;
+    return has_friction(m);
 }
 
 /// Returns the weight W of a neighbour in the means that a wall particle takes over the fluid around it; 0 for another

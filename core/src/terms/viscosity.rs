@@ -22,6 +22,14 @@ pub const MONAGHAN_GINGOLD: u32 = 4;
 pub const VELOCITY_EXCHANGE: u32 = 5;
 /// Solenthaler and Pajarola 2008 (Pirovano, eq. 3.7, corrected).
 pub const MUELLER_ADAPTED_VISCOSITY: u32 = ADAPTED_LAPLACIAN_VISCOSITY;
+/// The sum of [`MORRIS`] and, between fluid particles, of [`ARTIFICIAL`].
+pub const MORRIS_AND_ARTIFICIAL: u32 = 7;
+
+/// Returns whether the viscosity that a fluid is given acts: in all forms but those that have coefficients of their own.
+#[inline(always)]
+pub fn has_friction(m: &Model) -> bool {
+    return m.viscosity != NO_VISCOSITY && m.viscosity != ARTIFICIAL && m.viscosity != VELOCITY_EXCHANGE;
+}
 
 /// Mueller et al. 2003, eq. 14 (Pirovano, eq. 2.24): `f_a = mu sum V_b (v_b - v_a) laplacian W`. The result is a factor
 /// of `v_ab = v_a - v_b`, so its sign is negative.
@@ -89,23 +97,25 @@ pub fn viscosity_pair<R: Real>(
     // the wall.
     let v_ab = (a.velocity - b.velocity) * (b.wall + 1.0);
     let volume_b = neighbour_volume(m, a, b);
+    let viscosity = pair_viscosity(m, a, b);
     let kernel = viscous_kernel(m, t, q);
     if takes_laplacian(m) {
         let laplacian = laplacian_scaled(m, kernel, scale) * p.viscosity_laplacian_constant;
-        return v_ab * viscosity_mueller(pair_viscosity(m, a, b), volume_b, laplacian);
+        return v_ab * viscosity_mueller(viscosity, volume_b, laplacian);
     }
     let one: R = real(1.0);
     let r2 = length2(x_ab);
     let inverse_square = div(one, r2 + p.softening);
     let slope = slope_scaled(m, kernel, scale) * p.viscosity_slope_constant;
+    let friction = viscosity_morris(viscosity, volume_b, root(r2), slope, inverse_square);
     if m.viscosity == MORRIS {
-        return v_ab * viscosity_morris(pair_viscosity(m, a, b), volume_b, root(r2), slope, inverse_square);
+        return v_ab * friction;
     }
     let approach = dot3(v_ab, x_ab);
     // grad W = -slope x_ab / r, r = q H_ab
     let fall = over_distance(slope * scale * p.inverse_support, q);
     if m.viscosity == MONAGHAN_GINGOLD {
-        let along = viscosity_monaghan_gingold(p, pair_viscosity(m, a, b), volume_b, approach, inverse_square);
+        let along = viscosity_monaghan_gingold(p, viscosity, volume_b, approach, inverse_square);
         return x_ab * -(along * fall);
     }
     let sound_a = sound_of_state(m, a.deviation, a.speed_of_sound, a.state_equation);
@@ -113,5 +123,8 @@ pub fn viscosity_pair<R: Real>(
     let equation_b = wall_mirrored(m, a.state_equation, b.state_equation, b.wall);
     let mean_sound = (sound_a + sound_of_state(m, b.deviation, sound_b, equation_b)) * 0.5;
     let along = viscosity_artificial(p, mean_density_weight(m, p, a, b), mean_sound, approach, inverse_square);
-    return x_ab * (unless_slipping(m, b, along) * fall);
+    if m.viscosity == ARTIFICIAL {
+        return x_ab * (unless_slipping(m, b, along) * fall);
+    }
+    return v_ab * friction + x_ab * (along * fall * (one - b.wall));
 }

@@ -48,23 +48,24 @@ pub(super) fn check(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
         (
             model.near_pressure != NearPressure::Off,
             "model.near_pressure",
-            "near pressure would miss the walls; set near_pressure Off, and use shifting if particles pair",
+            "near pressure would miss the walls; set near_pressure Off, and use shifting if particles pair, or \
+             use container.model Penalty",
         ),
         (
             model.internal_energy,
             "model.internal_energy",
             "the work of the walls is not divided between the fluid and its continuation beyond them; use walls of \
-             particles",
+             particles, or container.model Penalty",
         ),
         (
             model.surface_tension == SurfaceTension::Curvature,
             "model.surface_tension Curvature",
-            "the Laplacian of the colour would miss the walls; use NormalCurvature",
+            "the Laplacian of the colour would miss the walls; use NormalCurvature, or container.model Penalty",
         ),
         (
             model.pressure_kernel == Kernel::Viscosity,
             "model.pressure_kernel Viscosity",
-            "it is infinite at distance 0; use another pressure_kernel",
+            "it is infinite at distance 0; use another pressure_kernel, or container.model Penalty",
         ),
     ];
     if let Some((_, field, why)) = refused.into_iter().find(|(is_asked, ..)| *is_asked) {

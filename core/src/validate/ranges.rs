@@ -6,7 +6,7 @@ use crate::derive::counts::field_counts;
 use crate::derive::lattice_sums::MOST_SPACINGS;
 use crate::derive::scales::{Scales, average_neighbours, neighbours_within};
 use crate::error::{Field, SceneError};
-use crate::scene::{AVERAGE_NEIGHBOURS, Fluid, Formulation, Scene};
+use crate::scene::{Fluid, Formulation, Scene};
 
 /// Largest number of nodes of an acceleration field, 64 MiB.
 const MOST_NODES: u32 = 1 << 22;
@@ -14,10 +14,12 @@ const MOST_NODES: u32 = 1 << 22;
 /// Checks the numbers from which all lengths, times and masses are derived.
 pub(super) fn numbers(scene: &Scene) -> Result<(), SceneError> {
     positive("particle_spacing", scene.particle_spacing)?;
-    neighbours("average_neighbours", scene.average_neighbours)?;
+    if let Some(own) = scene.average_neighbours {
+        neighbours("average_neighbours", own)?;
+    }
     if let Some(ratio) = scene.smoothing_ratio {
         positive("smoothing_ratio", ratio)?;
-        if scene.average_neighbours != AVERAGE_NEIGHBOURS {
+        if scene.average_neighbours.is_some() {
             let why = "both set the support radius; leave one of them out";
             return Err(not_together("smoothing_ratio", "average_neighbours", why));
         }

@@ -1,7 +1,8 @@
 //! Drops with a layer of air, for tests of the CPU and of a device.
+use super::forms::several_fluids;
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
-    Air, Block, Container, Dimension, Face, Fluid, Formulation, Grid, Periodic, PressureSolver, Scene, SupportRange,
+    Air, Block, Container, Dimension, Face, Fluid, Grid, Periodic, PlaneModel, PressureSolver, Scene, SupportRange,
     SurfaceTension, Wall, WallShape,
 };
 
@@ -21,7 +22,7 @@ pub fn drop(dimension: Dimension, capacity: u32) -> Scene {
     };
     let mut scene = Scene::of(dimension, SPACING, 0.0002, water, block);
     scene.add_fluid(air).expect("room for a fluid");
-    scene.model = Formulation::multiphase();
+    scene.model = several_fluids();
     scene.grid = Grid { cells: [7, 7, 5], ..Grid::default() };
     scene.air = Some(Air { fluid: 1, capacity, threshold: 0.5, minimum_density: 0.5 });
     scene
@@ -56,7 +57,10 @@ pub fn scenes(base: &Scene) -> Vec<(&'static str, Scene)> {
             "a floor of planes",
             changed(&|s| {
                 s.gravity = Vec3::new(0.0, -9.81, 0.0);
-                s.container = Some(Container::closed([0.28, 0.29, 0.28], [0.9, 0.9, 0.9]));
+                s.container = Some(Container {
+                    model: PlaneModel::Penalty,
+                    ..Container::closed([0.28, 0.29, 0.28], [0.9, 0.9, 0.9])
+                });
             }),
         ),
         (

@@ -1,7 +1,8 @@
 //! A falling block with an adaptive time step, for tests of the CPU and of a device.
+use super::forms::wendland;
 use millpond_core::backend::derive::support_radius;
 use millpond_core::glam::Vec3;
-use millpond_core::scene::{AdaptiveTimeStep, Block, Container, Dimension, Fluid, Formulation, Grid, Scene};
+use millpond_core::scene::{AdaptiveTimeStep, Block, Container, Dimension, Fluid, Grid, PlaneModel, Scene};
 
 /// Returns a block that falls onto a floor: it moves slowly, then fast, and then hits hard.
 pub fn falling() -> Scene {
@@ -14,9 +15,9 @@ pub fn falling() -> Scene {
     };
     let mut scene = Scene::of(Dimension::Two, 0.025, 1e-3, fluid, block);
     scene.gravity = Vec3::new(0.0, -9.81, 0.0);
-    scene.container = Some(Container::closed([0.0; 3], [0.7, 0.7, 0.0]));
+    scene.container = Some(Container { model: PlaneModel::Penalty, ..Container::closed([0.0; 3], [0.7, 0.7, 0.0]) });
     scene.grid = Grid { cells: [12, 12, 1], ..Grid::default() };
-    scene.model = Formulation::modern();
+    scene.model = wendland();
     scene.adaptive = Some(AdaptiveTimeStep::default());
     scene
 }

@@ -4,13 +4,15 @@
 use millpond_core::backend::plan::arrays::{Class, Unit};
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
-    Block, Container, Dimension, Fluid, Formulation, Grid, InitialParticle, Kernel, NearPressure, PressureForce, Scene,
+    Block, Container, Dimension, Fluid, Formulation, Grid, InitialParticle, Kernel, NearPressure, PlaneModel,
+    PressureForce, Recipe, Scene,
 };
 use millpond_core::{Array, Checked, Executor, OwnedMemory, Plan, Requirements, Solver, TimeReport};
 
 pub mod air;
 pub mod falling;
 pub mod files;
+pub mod forms;
 pub mod refused;
 
 /// Returns the cube of Pirovano, section 5.2, with an edge of `edge` m and 8000 particles per cubic metre. No external
@@ -19,7 +21,8 @@ pub fn thesis_cube(edge: f32) -> Scene {
     let fluid = Fluid { dynamic_viscosity: 10.0, ..Fluid::default() };
     let block = Block { corner: Vec3::splat(-edge / 2.0), size: Vec3::splat(edge), ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, fluid, block);
-    scene.average_neighbours = 27.0;
+    scene.model = Formulation::of(Recipe::Pirovano);
+    scene.average_neighbours = Some(27.0);
     scene.grid = Grid { cells: [32, 32, 32], ..Grid::default() };
     scene
 }
@@ -32,7 +35,7 @@ fn of_a_dam() -> Formulation {
         negative_pressure: false,
         pressure_force: PressureForce::Monaghan,
         near_pressure: NearPressure::Off,
-        ..Formulation::default()
+        ..Formulation::of(Recipe::Pirovano)
     }
 }
 
@@ -42,9 +45,12 @@ pub fn dam_break(scale: f32) -> Scene {
     let fluid = Fluid { speed_of_sound: 20.0, dynamic_viscosity: 5.0, ..Fluid::default() };
     let block = Block { size: Vec3::new(1.2, 1.4, 0.8).map(|x| x * scale), jitter: 0.02, ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, 0.04, 0.001, fluid, block);
-    scene.average_neighbours = 32.0;
+    scene.average_neighbours = Some(32.0);
     scene.gravity = Vec3::new(0.0, -9.81, 0.0);
-    scene.container = Some(Container::closed([0.0; 3], [3.2, 2.4, 0.8].map(|x| x * scale)));
+    scene.container = Some(Container {
+        model: PlaneModel::Penalty,
+        ..Container::closed([0.0; 3], [3.2, 2.4, 0.8].map(|x| x * scale))
+    });
     scene.model = of_a_dam();
     scene.grid = Grid { cells: [48, 32, 16].map(|n: u16| (f32::from(n) * scale).ceil() as u32), ..Grid::default() };
     scene
@@ -55,9 +61,10 @@ pub fn dam_break_2d(scale: f32) -> Scene {
     let fluid = Fluid { speed_of_sound: 25.0, dynamic_viscosity: 5.0, ..Fluid::default() };
     let block = Block { size: Vec3::new(scale, 2.0 * scale, 0.0), jitter: 0.02, ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, 0.025, 0.0005, fluid, block);
-    scene.average_neighbours = 21.0;
+    scene.average_neighbours = Some(21.0);
     scene.gravity = Vec3::new(0.0, -9.81, 0.0);
-    scene.container = Some(Container::closed([0.0; 3], [4.0 * scale, 3.0 * scale, 0.0]));
+    scene.container =
+        Some(Container { model: PlaneModel::Penalty, ..Container::closed([0.0; 3], [4.0 * scale, 3.0 * scale, 0.0]) });
     scene.model = of_a_dam();
     let [x, y] = [64.0, 48.0].map(|n: f32| (n * scale).ceil() as u32);
     scene.grid = Grid { cells: [x, y, 1], ..Grid::default() };

@@ -9,7 +9,7 @@
 //! smaller, each exposed particle gets an air particle, no spawn request is refused, and the drop moves less. All other
 //! results, and those of other kinds of air, are reported without limits.
 use super::flow::{checked, fluid, grid, larger, mean, rms_speed, start_with, step, steps_to};
-use super::recipes::SEVERAL_FLUIDS;
+use super::formulas::SEVERAL_FLUIDS;
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;

@@ -3,7 +3,7 @@
 //! momentum do not change. Fluid that is stretched tears where particles do not move into the gaps, and where the bar
 //! becomes thinner its rows come together.
 use super::flow::{checked, fluid, grid, heap_for, start_with, step, steps_to};
-use super::recipes::SHIFTED;
+use super::formulas::SHIFTED;
 use super::tensile::closest_pair;
 use super::{Context, Metric};
 use crate::failure::Failure;
@@ -107,7 +107,7 @@ fn scene(width: u16, model: Formulation) -> Scene {
     let size = Vec3::new(1.0, LENGTH, 0.0);
     let block = Block { corner: size * -0.5, size, ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, spacing, 1.0, fluid, block);
-    scene.average_neighbours = AVERAGE_NEIGHBOURS;
+    scene.average_neighbours = Some(AVERAGE_NEIGHBOURS);
     scene.time_step = COURANT * support_radius(&scene) as f32 / SPEED_OF_SOUND;
     scene.model = Formulation { viscosity: Viscosity::Morris, ..model };
     scene.grid = grid(Dimension::Two, 64);

@@ -5,8 +5,10 @@
 //! One metre in the scene is one millimetre in the paper. The paper's kinematic viscosity of 1e-6 m2/s then becomes
 //! 1 m2/s, times stay the same, and f32 resolves the particle spacing. It would not resolve the paper's spacing of
 //! 2e-5 m at a distance of 1 m from the origin.
+use super::enclosure::Enclosure;
 use super::flow::{checked, fluid, grid, larger, start_with, step, steps_to};
-use super::recipes::WENDLAND;
+use super::form::Form;
+use super::formulas::WENDLAND;
 use super::reference::{couette as couette_series, numbers, poiseuille as poiseuille_series};
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
@@ -49,9 +51,12 @@ const DIFFUSION: f64 = 0.0625;
 const TIMES: [f64; 5] = [0.0225, 0.045, 0.1125, 0.225, 1.0];
 const QUICK_TIMES: usize = 4;
 
+/// The last of the times of a quick study, s.
+pub(super) const LAST: f64 = TIMES[QUICK_TIMES - 1];
+
 /// Required limit: 2 % of the largest speed at the time, with 50 particles across. Morris et al. report 0.7 %
 /// (Poiseuille) and 0.5 % (Couette).
-const LIMIT: f64 = 0.02;
+pub(super) const LIMIT: f64 = 0.02;
 
 /// Limit for the series against the reference tables, which have six digits.
 const SERIES_LIMIT: f64 = 1e-5;
@@ -72,37 +77,70 @@ struct Drive {
     table_scale: f64,
 }
 
+const POISEUILLE: Drive = Drive {
+    name: "poiseuille",
+    series: poiseuille_series,
+    scale: FORCE,
+    force: FORCE,
+    lid: 0.0,
+    table: include_str!("../../data/poiseuille.csv"),
+    table_scale: 1e-4,
+};
+
+const COUETTE: Drive = Drive {
+    name: "couette",
+    series: couette_series,
+    scale: LID,
+    force: 0.0,
+    lid: LID,
+    table: include_str!("../../data/couette.csv"),
+    table_scale: 1.25e-5,
+};
+
 pub(super) fn poiseuille(context: &Context) -> Result<Outcome, Failure> {
-    let table = include_str!("../../data/poiseuille.csv");
-    let (series, scale) = (poiseuille_series, FORCE);
-    run(context, &Drive { name: "poiseuille", series, scale, force: FORCE, lid: 0.0, table, table_scale: 1e-4 })
+    run(context, &POISEUILLE)
 }
 
 pub(super) fn couette(context: &Context) -> Result<Outcome, Failure> {
-    let table = include_str!("../../data/couette.csv");
-    let (series, scale) = (couette_series, LID);
-    run(context, &Drive { name: "couette", series, scale, force: 0.0, lid: LID, table, table_scale: 1.25e-5 })
+    run(context, &COUETTE)
+}
+
+/// Returns the largest error of another form in the coarser channel of a quick study.
+pub(super) fn poiseuille_error(context: &Context, form: &Form, neighbours: f32) -> Result<f64, Failure> {
+    Ok(worst(&errors_of(context, &POISEUILLE, ACROSS[0], form, neighbours, &TIMES[..QUICK_TIMES])?))
+}
+
+/// The same for the channel whose wall moves.
+pub(super) fn couette_error(context: &Context, form: &Form, neighbours: f32) -> Result<f64, Failure> {
+    Ok(worst(&errors_of(context, &COUETTE, ACROSS[0], form, neighbours, &TIMES[..QUICK_TIMES])?))
+}
+
+fn worst(errors: &[f64]) -> f64 {
+    errors.iter().copied().fold(0.0, larger)
 }
 
 /// Kinds of walls with which each resolution is run. The first one has the limit of convergence.
-const WALLS: [PlaneKind; 2] = [PlaneKind::Particles, PlaneKind::ClosedForm];
+const WALLS: [Enclosure; 2] = [Enclosure::MIRRORED, Enclosure::CLOSED_FORM];
 
-/// A kind of the two planes of the channel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum PlaneKind {
-    Particles,
-    ClosedForm,
-}
+/// The formulas of this study, and its number of neighbours.
+const MODEL: Formulation = Formulation {
+    density_kernel: Kernel::CubicSpline,
+    pressure_kernel: Kernel::CubicSpline,
+    viscosity_kernel: Kernel::CubicSpline,
+    viscosity: Viscosity::Morris,
+    normalize_mass: true,
+    ..WENDLAND
+};
 
 fn run(context: &Context, drive: &Drive) -> Result<Outcome, Failure> {
     let times = if context.quick { &TIMES[..QUICK_TIMES] } else { &TIMES[..] };
     let mut errors = Vec::new();
-    for kind in WALLS {
+    for walls in WALLS {
         for across in ACROSS {
-            errors.push(errors_of(context, drive, across, kind, times)?);
+            errors.push(errors_of(context, drive, across, &Form { walls, model: MODEL }, AVERAGE_NEIGHBOURS, times)?);
         }
     }
-    let worst: Vec<f64> = errors.iter().map(|errors| errors.iter().copied().fold(0.0, larger)).collect();
+    let worst: Vec<f64> = errors.iter().map(|errors| worst(errors)).collect();
     let [coarse, fine, _, closed] = [0, 1, 2, 3].map(|i| worst.get(i).copied().unwrap_or(f64::NAN));
     let figures = vec![
         Metric::below("series against the reference table", series_error(drive)?, SERIES_LIMIT),
@@ -130,7 +168,7 @@ fn run(context: &Context, drive: &Drive) -> Result<Outcome, Failure> {
     Ok(Outcome::new(drive.name, figures, vec![table(titles, lines), order]))
 }
 
-fn scene(drive: &Drive, across: u16, kind: PlaneKind) -> Scene {
+fn scene(drive: &Drive, across: u16, form: &Form, neighbours: f32) -> Scene {
     let spacing = 1.0 / f32::from(across);
     let length = f32::from(ALONG) * spacing;
     let fluid = Fluid {
@@ -141,33 +179,27 @@ fn scene(drive: &Drive, across: u16, kind: PlaneKind) -> Scene {
     };
     let block = Block { size: Vec3::new(length, 1.0, 0.0), ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, spacing, 1.0, fluid, block);
-    scene.average_neighbours = AVERAGE_NEIGHBOURS;
+    scene.average_neighbours = Some(neighbours);
     let h = support_radius(&scene) / 2.0;
     scene.time_step = (DIFFUSION * h * h * f64::from(REST_DENSITY / VISCOSITY)) as f32;
     scene.gravity = Vec3::new(drive.force, 0.0, 0.0);
+    scene.model = form.model;
     let high = Vec3::new(length, 1.0, 0.0);
     scene.periodic = Some(Periodic { low: Vec3::ZERO, high, axes: [true, false, false] });
     let slides = Vec3::new(drive.lid, 0.0, 0.0);
     let plane = |face, y| WallShape::Plane { face, low: Vec3::new(0.0, y, 0.0), high: Vec3::new(length, y, 0.0) };
     let wall = |face, y, velocity| Wall { velocity, ..Wall::still(plane(face, y)) };
-    match kind {
-        PlaneKind::Particles => {
+    match form.walls {
+        Enclosure::Particles(wall_pressure) => {
+            scene.model.wall_pressure = wall_pressure;
             scene.walls = [wall(Face::Floor, 0.0, Vec3::ZERO), wall(Face::Ceiling, 1.0, slides)].into_iter().collect();
         }
-        PlaneKind::ClosedForm => {
-            let model = PlaneModel::ClosedForm;
-            let sliding = [Sliding { face: Face::Ceiling, velocity: slides }].into_iter().collect();
+        Enclosure::Planes(model) => {
+            let lid = Sliding { face: Face::Ceiling, velocity: slides };
+            let sliding = Some(lid).filter(|_| model == PlaneModel::ClosedForm).into_iter().collect();
             scene.container = Some(Container { model, sliding, ..Container::closed(Vec3::ZERO, high) });
         }
     }
-    scene.model = Formulation {
-        density_kernel: Kernel::CubicSpline,
-        pressure_kernel: Kernel::CubicSpline,
-        viscosity_kernel: Kernel::CubicSpline,
-        viscosity: Viscosity::Morris,
-        normalize_mass: true,
-        ..WENDLAND
-    };
     scene.grid = grid(Dimension::Two, 32);
     scene
 }
@@ -177,10 +209,11 @@ fn errors_of(
     context: &Context,
     drive: &Drive,
     across: u16,
-    kind: PlaneKind,
+    form: &Form,
+    neighbours: f32,
     times: &[f64],
 ) -> Result<Vec<f64>, Failure> {
-    let scene = scene(drive, across, kind);
+    let scene = scene(drive, across, form, neighbours);
     let scene = checked(drive.name, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(drive.name, &scene, scene.initial_particles().collect(), &mut heap)?;

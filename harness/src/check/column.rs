@@ -2,11 +2,12 @@
 //! `hydrostatic`, `still-tank` and `pressure-correction`.
 use super::enclosure::Enclosure;
 use super::flow::{fluid, grid, mean};
-use super::recipes::WENDLAND;
+use super::form::Form;
+use super::formulas::WENDLAND;
 use glam::Vec3;
 use millpond_core::Solver;
 use millpond_core::backend::derive::support_radius;
-use millpond_core::scene::{Block, Dimension, Face, Fluid, Formulation, Kernel, Scene, WallPressure};
+use millpond_core::scene::{Block, Dimension, Face, Fluid, Formulation, Kernel, Scene};
 
 /// A tank of water.
 #[derive(Clone, Copy, Debug)]
@@ -25,15 +26,35 @@ pub(super) struct Column {
     pub(super) courant: f64,
     /// What holds the water.
     pub(super) walls: Enclosure,
-    /// Kernel of all terms, and number of neighbours.
-    pub(super) kernel: (Kernel, f32),
+    /// The formulas. Walls set the pressure that the fluid sees at them.
+    pub(super) model: Formulation,
+    /// Number of neighbours.
+    pub(super) neighbours: f32,
     /// Random displacement at the start, in spacings.
     pub(super) jitter: f32,
 }
 
 /// With 27 neighbours the gradient of the cubic spline is exact on the lattice. With other numbers it is up to 2 % too
 /// small, and the pressure that carries the water is too large by as much.
-const EXACT: (Kernel, f32) = (Kernel::CubicSpline, 27.0);
+const EXACT: f32 = 27.0;
+
+/// A single kernel serves all terms, and particles do not pair with it. Masses are chosen so that the lattice has the
+/// rest density. Negative pressure is off, so that there is none at the surface.
+pub(super) const SPLINE: Formulation = of_one_kernel(Kernel::CubicSpline);
+
+/// The same with a kernel with which a lattice under pressure keeps its rows.
+pub(super) const REGULAR: Formulation = of_one_kernel(Kernel::WendlandC2);
+
+const fn of_one_kernel(kernel: Kernel) -> Formulation {
+    Formulation {
+        density_kernel: kernel,
+        pressure_kernel: kernel,
+        viscosity_kernel: kernel,
+        normalize_mass: true,
+        negative_pressure: false,
+        ..WENDLAND
+    }
+}
 
 /// Random displacement at the start, in spacings. A regular lattice would settle into rows with alternating pressures,
 /// which a density sum does not detect.
@@ -61,30 +82,27 @@ impl Column {
             gravity,
             speed_of_sound: 10.0 * (gravity * depth).sqrt(),
             courant: 0.125,
-            walls: Enclosure::Particles(WallPressure::Mirrored),
-            kernel: EXACT,
+            walls: Enclosure::MIRRORED,
+            model: SPLINE,
+            neighbours: EXACT,
             jitter: JITTER,
         }
     }
 
-    /// Returns the scene. A single kernel serves all terms, and particles do not pair with it. Masses are chosen so
-    /// that the lattice has the rest density. Negative pressure is off, so that there is none at the surface.
+    /// Returns the tank with these walls and formulas.
+    pub(super) fn with(self, form: &Form) -> Column {
+        Column { walls: form.walls, model: form.model, ..self }
+    }
+
+    /// Returns the scene.
     pub(super) fn scene(&self) -> Scene {
         let fluid = Fluid { rest_density: REST_DENSITY, speed_of_sound: self.speed_of_sound, ..Fluid::default() };
         let block = Block { size: Vec3::new(self.width, self.depth, 0.0), jitter: self.jitter, ..Block::default() };
         let mut scene = Scene::of(Dimension::Two, self.spacing, 1.0, fluid, block);
         scene.gravity = Vec3::new(0.0, -self.gravity, 0.0);
-        let (kernel, neighbours) = self.kernel;
-        scene.average_neighbours = neighbours;
+        scene.average_neighbours = Some(self.neighbours);
         scene.time_step = (self.courant * support_radius(&scene) / f64::from(self.speed_of_sound)) as f32;
-        scene.model = Formulation {
-            density_kernel: kernel,
-            pressure_kernel: kernel,
-            viscosity_kernel: kernel,
-            normalize_mass: true,
-            negative_pressure: false,
-            ..WENDLAND
-        };
+        scene.model = self.model;
         let high = Vec3::new(self.width, self.depth * (1.0 + HEADROOM), 0.0);
         self.walls.enclose(&mut scene, high, &[Face::Ceiling], None);
         scene.grid = grid(Dimension::Two, 32);

@@ -2,7 +2,7 @@
 //! front over time is compared with the experiments of Martin and Moyce 1952, which have the limits, and of Koshizuka
 //! and Oka 1996.
 use super::flow::{checked, grid, start_with, step, steps_to};
-use super::recipes::WENDLAND;
+use super::formulas::WENDLAND;
 use super::reference::{along, pairs};
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;

@@ -6,7 +6,7 @@
 //! Where pressure is negative particles clump, and it is lowest at an interface.
 use super::Context;
 use super::flow::{checked, fluid, grid, heap_for, larger, mean, start_with, step, steps_to};
-use super::recipes::SEVERAL_FLUIDS;
+use super::formulas::SEVERAL_FLUIDS;
 use crate::failure::Failure;
 use glam::Vec3;
 use millpond_core::backend::derive::support_radius;
@@ -209,7 +209,7 @@ impl Droplet {
             });
         }
         let (kernel, neighbours) = setting.kernel;
-        scene.average_neighbours = neighbours;
+        scene.average_neighbours = Some(neighbours);
         scene.time_step = time_step(&scene, f64::from(viscosity)) as f32;
         scene.model = Formulation {
             density_kernel: kernel,

@@ -5,14 +5,14 @@
 //! bounces, vibrates and recovers its shape. The sum of its energies must not grow: penalty planes take energy away and
 //! supply none.
 use super::flow::{checked, fluid, grid, larger, mean, start_with, step, steps_to};
-use super::recipes::WENDLAND;
+use super::formulas::WENDLAND;
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use glam::Vec3;
 use millpond_core::OwnedMemory;
 use millpond_core::backend::report::Energies;
-use millpond_core::scene::{Block, Container, Dimension, Fluid, Formulation, InitialParticle, Scene};
+use millpond_core::scene::{Block, Container, Dimension, Fluid, Formulation, InitialParticle, PlaneModel, Scene};
 use millpond_core::{Particle, Solver};
 use std::f64::consts::{PI, TAU};
 
@@ -200,9 +200,11 @@ fn cube(context: &Context) -> Scene {
     };
     let block = Block { corner: Vec3::new(MARGIN, DROP, MARGIN), size: Vec3::splat(edge), ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, SPACING, TIME_STEP, fluid, block);
+    scene.average_neighbours = Some(32.0);
     scene.gravity = Vec3::new(0.0, -GRAVITY, 0.0);
     let width = edge + 2.0 * MARGIN;
-    scene.container = Some(Container::closed([0.0; 3], [width, 2.0 * (edge + DROP), width]));
+    let model = PlaneModel::Penalty;
+    scene.container = Some(Container { model, ..Container::closed([0.0; 3], [width, 2.0 * (edge + DROP), width]) });
     scene.model = Formulation { normalize_mass: true, negative_pressure: false, internal_energy: true, ..WENDLAND };
     scene.grid = grid(Dimension::Three, 16);
     scene

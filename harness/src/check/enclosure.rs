@@ -1,4 +1,4 @@
-//! What holds the fluid of a study: walls of particles, or walls in closed form.
+//! What holds the fluid of a study: walls of particles, or planes.
 use glam::Vec3;
 use millpond_core::scene::{Container, FACES, Face, PlaneModel, Scene, Wall, WallPressure, WallShape};
 use millpond_core::{Solver, heapless};
@@ -8,16 +8,23 @@ use millpond_core::{Solver, heapless};
 pub(super) enum Enclosure {
     /// Walls of particles.
     Particles(WallPressure),
-    /// Planes in closed form.
-    ClosedForm,
+    /// A container of planes.
+    Planes(PlaneModel),
 }
 
 impl Enclosure {
+    pub(super) const PENALTY: Enclosure = Enclosure::Planes(PlaneModel::Penalty);
+    pub(super) const CLOSED_FORM: Enclosure = Enclosure::Planes(PlaneModel::ClosedForm);
+    pub(super) const MIRRORED: Enclosure = Enclosure::Particles(WallPressure::Mirrored);
+    pub(super) const DYNAMIC: Enclosure = Enclosure::Particles(WallPressure::Dynamic);
+    pub(super) const EXTRAPOLATED: Enclosure = Enclosure::Particles(WallPressure::Extrapolated);
+
     /// Returns its name in a scene file.
     pub(super) fn name(self) -> &'static str {
         match self {
             Enclosure::Particles(wall) => wall.name(),
-            Enclosure::ClosedForm => "ClosedForm",
+            Enclosure::Planes(PlaneModel::Penalty) => "Penalty",
+            Enclosure::Planes(PlaneModel::ClosedForm) => "ClosedForm",
         }
     }
 
@@ -31,20 +38,20 @@ impl Enclosure {
                 let shape = WallShape::Box { low: Vec3::ZERO, high, open };
                 scene.walls = [Wall { dynamic_viscosity, ..Wall::still(shape) }].into_iter().collect();
             }
-            Enclosure::ClosedForm => {
+            Enclosure::Planes(model) => {
                 let container = Container::closed(Vec3::ZERO, high);
-                let model = PlaneModel::ClosedForm;
+                let dynamic_viscosity = dynamic_viscosity.filter(|_| model == PlaneModel::ClosedForm);
                 scene.container = Some(Container { open, model, dynamic_viscosity, ..container });
             }
         }
     }
 
-    /// Returns the force on the walls, N.
+    /// Returns the force on the walls, N; 0 for penalty planes.
     pub(super) fn force(self, solver: &mut Solver<'_>) -> Vec3 {
         let neighbours = solver.neighbours();
         match self {
             Enclosure::Particles(_) => neighbours.force_on_wall(0),
-            Enclosure::ClosedForm => Face::ALL.iter().map(|face| neighbours.force_on_face(*face)).sum(),
+            Enclosure::Planes(_) => Face::ALL.iter().map(|face| neighbours.force_on_face(*face)).sum(),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Tabulated kernels (Pirovano, section 4.2.3) against kernels by formula: the difference that they make in one step,
 //! and their cost. Part of the study `kernels`.
 use super::flow::{checked, fluid, grid, mean, start_with};
-use super::recipes::{PIROVANO, WENDLAND};
+use super::formulas::{PIROVANO, WENDLAND};
 use super::{Context, Metric};
 use crate::failure::Failure;
 use crate::outcome::table;

@@ -1,21 +1,22 @@
 //! `hydrostatic`: case H1 (after Adami et al. 2012). A tank of water settles. Its pressure must then balance the weight
 //! of the water above: `p = rho0 g (H - y)`, H being the depth.
-use super::column::{Column, Miss, Profile};
+use super::column::{Column, Miss, Profile, REGULAR};
 use super::enclosure::Enclosure;
 use super::flow::{checked, fluid, larger, mean, start_with, step, steps_to};
-use super::recipes::ROWS_STAY;
+use super::form::{Form, Rules};
+use super::formulas::ROWS_STAY;
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use glam::Vec3;
 use millpond_core::OwnedMemory;
-use millpond_core::scene::{DensityDiffusion, DensityForm, Kernel, Viscosity, WallPressure, Wind};
+use millpond_core::scene::{DensityDiffusion, DensityForm, Formulation, Viscosity, Wind};
 
 const NAME: &str = "hydrostatic";
 
 /// Spacing, m, between the middle and the finest resolution of case H1; then that of a quick study.
 const SPACING: f32 = 0.0125;
-const QUICK_SPACING: f32 = 0.02;
+pub(super) const QUICK_SPACING: f32 = 0.02;
 
 /// Drag of still air that damps the waves in the water, 1/s. It does not change the state at rest. The sound wave that
 /// the start excites has a period of 0.4 s and is gone long before the profile is measured.
@@ -26,7 +27,7 @@ const ALPHA: f32 = 0.1;
 
 /// Time from which the water counts as settled, and end of the run, s.
 const SETTLED: f64 = 2.0;
-const END: f64 = 3.0;
+pub(super) const END: f64 = 3.0;
 
 /// Steps between two samples of the mean.
 const STEPS_PER_SAMPLE: u64 = 5;
@@ -38,51 +39,42 @@ const LIMIT: f64 = 0.02;
 /// one from the surface, whose kernel still reaches out of the water. Its error is 0.9 to 1.0 of the weight of one row
 /// at spacings of 0.03, 0.025, 0.02, 0.018, 0.015 and 0.0125 m (2.95, 2.54, 2.21, 2.02, 1.49 and 1.27 % of the pressure
 /// at the floor), so it is of first order.
-const QUICK_LIMIT: f64 = LIMIT * (QUICK_SPACING / SPACING) as f64;
-
-/// Forms of walls, density and diffusion of density.
-type Form = (Enclosure, DensityForm, DensityDiffusion);
+pub(super) const QUICK_LIMIT: f64 = LIMIT * (QUICK_SPACING / SPACING) as f64;
 
 /// Compared forms. A quick study runs only the first [`QUICK_FORMS`].
-const FORMS: [Form; 9] = [
-    (MIRRORED, DensityForm::Summation, DensityDiffusion::Off),
-    (EXTRAPOLATED, DensityForm::Continuity, DensityDiffusion::Hydrostatic),
-    (Enclosure::ClosedForm, DensityForm::Continuity, DensityDiffusion::Hydrostatic),
-    (EXTRAPOLATED, DensityForm::Continuity, DensityDiffusion::Off),
-    (EXTRAPOLATED, DensityForm::Summation, DensityDiffusion::Off),
-    (MIRRORED, DensityForm::Continuity, DensityDiffusion::Off),
-    (DYNAMIC, DensityForm::Summation, DensityDiffusion::Off),
-    (DYNAMIC, DensityForm::Continuity, DensityDiffusion::Off),
-    (Enclosure::ClosedForm, DensityForm::Summation, DensityDiffusion::Off),
+const FORMS: [Rules; 9] = [
+    (Enclosure::MIRRORED, DensityForm::Summation, DensityDiffusion::Off),
+    (Enclosure::EXTRAPOLATED, DensityForm::Continuity, DensityDiffusion::Hydrostatic),
+    (Enclosure::CLOSED_FORM, DensityForm::Continuity, DensityDiffusion::Hydrostatic),
+    (Enclosure::EXTRAPOLATED, DensityForm::Continuity, DensityDiffusion::Off),
+    (Enclosure::EXTRAPOLATED, DensityForm::Summation, DensityDiffusion::Off),
+    (Enclosure::MIRRORED, DensityForm::Continuity, DensityDiffusion::Off),
+    (Enclosure::DYNAMIC, DensityForm::Summation, DensityDiffusion::Off),
+    (Enclosure::DYNAMIC, DensityForm::Continuity, DensityDiffusion::Off),
+    (Enclosure::CLOSED_FORM, DensityForm::Summation, DensityDiffusion::Off),
 ];
 const QUICK_FORMS: usize = 3;
-const MIRRORED: Enclosure = Enclosure::Particles(WallPressure::Mirrored);
-const EXTRAPOLATED: Enclosure = Enclosure::Particles(WallPressure::Extrapolated);
-const DYNAMIC: Enclosure = Enclosure::Particles(WallPressure::Dynamic);
 
 /// The form whose inner layers have the limit, and the forms that have all limits.
-const INNER: Form = FORMS[0];
-const WHOLE: [Form; 2] = [FORMS[1], FORMS[2]];
-
-/// Kernel and number of neighbours of the whole form, with which a lattice under pressure keeps its rows.
-const REGULAR: (Kernel, f32) = (Kernel::WendlandC2, ROWS_STAY);
+const INNER: Rules = FORMS[0];
+const WHOLE: [Rules; 2] = [FORMS[1], FORMS[2]];
 
 /// Required limits of the whole form: every layer, those at the floor and at the surface too, within 2 % of the
 /// pressure at the floor; the first layer within 0.05 spacings of half a spacing; the force on the walls within 0.2 %
 /// of the weight of the water.
-const FIRST_LAYER: f64 = 0.05;
-const FORCE: f64 = 0.002;
+pub(super) const FIRST_LAYER: f64 = 0.05;
+pub(super) const FORCE: f64 = 0.002;
 
 /// Results of a run. Pressures are over that at the floor.
-struct Settled {
+pub(super) struct Settled {
     /// Errors of the layers without those at the floor and at the surface.
     inner: Miss,
     /// Largest error of any layer.
-    every: f64,
+    pub(super) every: f64,
     /// Height of the lowest layer, spacings.
-    first: f64,
+    pub(super) first: f64,
     /// Vertical force on the walls over the weight of the water, minus one.
-    force: f64,
+    pub(super) force: f64,
     /// Loss of mean height, as a share of the mean height.
     sunk: f64,
 }
@@ -90,22 +82,22 @@ struct Settled {
 pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let (spacing, limit, forms) =
         if context.quick { (QUICK_SPACING, QUICK_LIMIT, QUICK_FORMS) } else { (SPACING, LIMIT, FORMS.len()) };
-    let column = Column::of_reference_case(spacing);
     let mut figures = Vec::new();
     let mut lines = Vec::new();
-    for form @ (wall, density, diffusion) in FORMS.into_iter().take(forms) {
-        let name = format!("{}, {}, {}", wall.name(), density.name(), diffusion.name());
+    for rules in FORMS.into_iter().take(forms) {
         let percent = |x: f64| format!("{:.2} %", x * 100.0);
-        let whole = WHOLE.contains(&form);
-        let column = if whole { Column { kernel: REGULAR, jitter: 0.0, ..column } } else { column };
-        let line = match settle(context, &column, form) {
+        let whole = WHOLE.contains(&rules);
+        let column = if whole { regular(spacing) } else { Column::of_reference_case(spacing) };
+        let form = Form::of(damped(column.model), rules);
+        let name = form.name();
+        let line = match settle(context, &column.with(&form)) {
             // forms without a limit may fail, and the note reports the error
-            Err(Failure::Step(error)) if form != INNER && !whole => {
+            Err(Failure::Step(error)) if rules != INNER && !whole => {
                 [error.to_string(), String::new(), String::new(), String::new(), String::new()]
             }
             Err(failure) => return Err(failure),
             Ok(Settled { inner, every, first, force, sunk }) => {
-                if form == INNER {
+                if rules == INNER {
                     figures.push(Metric::below(format!("largest pressure error, {name}"), inner.largest, limit));
                 }
                 if whole {
@@ -139,13 +131,20 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     Ok(Outcome::new(NAME, figures, vec![table(titles, lines)]))
 }
 
-fn settle(context: &Context, column: &Column, (walls, density, diffusion): Form) -> Result<Settled, Failure> {
-    let mut scene = Column { walls, ..*column }.scene();
-    (scene.model.density, scene.model.density_diffusion) = (density, diffusion);
-    scene.model.initialize_hydrostatic = true;
-    scene.model.viscosity = Viscosity::Artificial;
-    scene.model.alpha = ALPHA;
-    scene.model.beta = 0.0;
+/// Returns the tank whose lattice keeps its rows.
+pub(super) fn regular(spacing: f32) -> Column {
+    Column { model: REGULAR, neighbours: ROWS_STAY, jitter: 0.0, ..Column::of_reference_case(spacing) }
+}
+
+/// Returns formulas for a tank at rest, with artificial viscosity.
+pub(super) fn damped(model: Formulation) -> Formulation {
+    Formulation { viscosity: Viscosity::Artificial, alpha: ALPHA, beta: 0.0, initialize_hydrostatic: true, ..model }
+}
+
+/// Lets the water settle.
+pub(super) fn settle(context: &Context, column: &Column) -> Result<Settled, Failure> {
+    let walls = column.walls;
+    let mut scene = column.scene();
     scene.wind = Some(Wind { velocity: Vec3::ZERO, drag: DRAG });
     let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);

@@ -2,14 +2,15 @@
 //! impulse of the pressure at four sensors are compared with the experiment.
 use super::enclosure::Enclosure;
 use super::flow::{checked, fluid, grid, larger, start_with, step, steps_to};
-use super::recipes::{ROWS_STAY, WATER_WITH_SURFACE};
+use super::form::Form;
+use super::formulas::{ROWS_STAY, WATER_WITH_SURFACE};
 use super::reference::numbers;
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use glam::Vec3;
 use millpond_core::backend::derive::support_radius;
-use millpond_core::scene::{Block, Dimension, Face, Fluid, Formulation, Scene, WallPressure};
+use millpond_core::scene::{Block, Dimension, Face, Fluid, Formulation, Scene};
 use millpond_core::{OwnedMemory, Solver};
 
 const NAME: &str = "impact";
@@ -29,11 +30,11 @@ const SENSORS: [(&str, f32, f64); 4] = [("s1", 0.003, 0.3), ("s2", 0.015, 0.3), 
 const COLUMNS: [usize; 4] = [1, 2, 4, 5];
 
 /// Particles over the depth, in a full study (twice) and in a quick one.
-const ACROSS: [f32; 2] = [38.0, 76.0];
-const QUICK_ACROSS: f32 = 25.0;
+pub(super) const ACROSS: [f32; 2] = [38.0, 76.0];
+pub(super) const QUICK_ACROSS: f32 = 25.0;
 
 /// End of the run in units of `sqrt(H / g)`: the impulse at the highest sensor is known by then.
-const END: f64 = 4.0;
+pub(super) const END: f64 = 4.0;
 
 /// Pressures are means over windows of this half width, as those of the experiment are. The impulse is taken over this
 /// time from the arrival on.
@@ -52,24 +53,27 @@ const COURANT: f64 = 0.1;
 /// the sound that the impact excites; the walls are without friction.
 const ALPHA: f32 = 0.05;
 
+/// The formulas.
+pub(super) const MODEL: Formulation = Formulation { alpha: ALPHA, ..WATER_WITH_SURFACE };
+
 const STEPS_PER_SAMPLE: u64 = 5;
 
 /// Compared walls. The first ones have the limits.
-const WALLS: [Enclosure; 2] = [Enclosure::Particles(WallPressure::Extrapolated), Enclosure::ClosedForm];
+const WALLS: [Enclosure; 2] = [Enclosure::EXTRAPOLATED, Enclosure::CLOSED_FORM];
 
 /// Required limits with 76 particles over the depth: arrival at all sensors; peak, as a factor, and impulse at the
 /// first three. With 38 particles, and in a quick study: arrival at the first three.
 const ARRIVAL: f64 = 0.03;
 const PEAK: f64 = 1.5;
 const IMPULSE_ERROR: f64 = 0.3;
-const COARSE_ARRIVAL: f64 = 0.05;
+pub(super) const COARSE_ARRIVAL: f64 = 0.05;
 
 /// What a sensor saw, in units of `sqrt(H / g)` and `rho g H`.
 #[derive(Clone, Copy, Debug)]
-struct Seen {
-    arrival: f64,
-    peak: f64,
-    impulse: f64,
+pub(super) struct Seen {
+    pub(super) arrival: f64,
+    pub(super) peak: f64,
+    pub(super) impulse: f64,
 }
 
 pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
@@ -78,7 +82,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let (mut lines, mut notes) = (Vec::new(), Vec::new());
     let resolutions = if context.quick { vec![QUICK_ACROSS] } else { ACROSS.to_vec() };
     for (across, walls) in resolutions.into_iter().flat_map(|across| WALLS.map(|walls| (across, walls))) {
-        let (seen, lost) = fall(context, across, walls)?;
+        let (seen, lost) = fall(context, across, &Form { walls, model: MODEL })?;
         let is_limited = walls == WALLS[0];
         notes.push(format!(
             "With {across} particles over the depth and {} walls, {lost} particles of the splash are more than half a \
@@ -115,34 +119,39 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     Ok(Outcome::new(NAME, figures, notes))
 }
 
-fn scene(across: f32, walls: Enclosure) -> Scene {
+fn scene(across: f32, form: &Form) -> Scene {
     let spacing = DEPTH / across;
     let speed_of_sound = SOUND * (2.0 * GRAVITY * DEPTH).sqrt();
     let water = Fluid { rest_density: REST_DENSITY, speed_of_sound, ..Fluid::default() };
     let block = Block { size: Vec3::new(LENGTH, DEPTH, 0.0), ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, spacing, 1.0, water, block);
     scene.gravity = Vec3::new(0.0, -GRAVITY, 0.0);
-    scene.average_neighbours = ROWS_STAY;
+    scene.average_neighbours = Some(ROWS_STAY);
     scene.time_step = (COURANT * support_radius(&scene) / f64::from(speed_of_sound)) as f32;
-    scene.model = Formulation { alpha: ALPHA, ..WATER_WITH_SURFACE };
-    walls.enclose(&mut scene, Vec3::new(end_of_tank(spacing, walls), HEIGHT, 0.0), &[Face::Ceiling], Some(0.0));
+    scene.model = form.model;
+    form.walls.enclose(
+        &mut scene,
+        Vec3::new(end_of_tank(spacing, form.walls), HEIGHT, 0.0),
+        &[Face::Ceiling],
+        Some(0.0),
+    );
     scene.grid = grid(Dimension::Two, 64);
     scene
 }
 
 /// Returns where the tank ends, m. Walls of particles are whole spacings long.
 fn end_of_tank(spacing: f32, walls: Enclosure) -> f32 {
-    if walls == Enclosure::ClosedForm { TANK } else { (TANK / spacing).round() * spacing }
+    if matches!(walls, Enclosure::Particles(_)) { (TANK / spacing).round() * spacing } else { TANK }
 }
 
 /// Runs the collapse. Returns what the sensors saw, and the number of particles that went through the walls.
-fn fall(context: &Context, across: f32, walls: Enclosure) -> Result<(Vec<Seen>, usize), Failure> {
-    let scene = scene(across, walls);
+pub(super) fn fall(context: &Context, across: f32, form: &Form) -> Result<(Vec<Seen>, usize), Failure> {
+    let scene = scene(across, form);
     let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, scene.initial_particles().collect(), &mut heap)?;
     let time = f64::from(DEPTH / GRAVITY).sqrt();
-    let wall = end_of_tank(scene.particle_spacing, walls);
+    let wall = end_of_tank(scene.particle_spacing, form.walls);
     let mut samples = vec![Vec::new(); SENSORS.len()];
     step(NAME, context, &mut solver, steps_to(&scene, END * time), STEPS_PER_SAMPLE, |solver| {
         let now = solver.time() / time;
@@ -193,7 +202,7 @@ fn seen(record: &[(f64, f64)], least: f64) -> Seen {
 }
 
 /// Returns what the sensors of the experiment saw.
-fn experiment() -> Result<Vec<Seen>, Failure> {
+pub(super) fn experiment() -> Result<Vec<Seen>, Failure> {
     let rows = numbers(include_str!("../../data/lobovsky-pressure.csv"))?;
     let of = |column: usize| -> Vec<(f64, f64)> { rows.iter().map(|row| (row[0], row[column])).collect() };
     Ok(COLUMNS.iter().zip(SENSORS).map(|(column, (.., least))| seen(&of(*column), least)).collect())

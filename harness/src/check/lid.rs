@@ -1,7 +1,7 @@
 //! `lid`: a square cavity whose lid slides over it, at a Reynolds number of 100. The lid also slides over the side
 //! walls, which is what a wall that steps its own density does not survive.
 use super::flow::{checked, fluid, grid, larger, start_with, step, steps_to};
-use super::recipes::{ROWS_STAY, WATER};
+use super::formulas::{ROWS_STAY, WATER};
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
@@ -87,7 +87,7 @@ fn scene(spacing: f32, wall_pressure: WallPressure) -> Scene {
         Fluid { rest_density: REST_DENSITY, speed_of_sound: SOUND, dynamic_viscosity: VISCOSITY, ..Fluid::default() };
     let block = Block { size: Vec3::new(1.0, 1.0, 0.0), ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, spacing, 1.0, fluid, block);
-    scene.average_neighbours = ROWS_STAY;
+    scene.average_neighbours = Some(ROWS_STAY);
     scene.time_step = (COURANT * support_radius(&scene) / f64::from(SOUND)) as f32;
     scene.model = Formulation { wall_pressure, ..WATER };
     let inside =

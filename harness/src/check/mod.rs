@@ -14,10 +14,11 @@
 //! mirrored or dynamic boundary particles (see `WallPressure`), unless a study says otherwise.
 //!
 //! The studies share `flow` (starting and stepping), `column` (a tank at rest), `drop` (a drop at rest), `strata` (two
-//! fluids at rest), `recipes` (choices of formulas) and `reference` (tables and series). Longer theory is in `ripple`
+//! fluids at rest), `form` (walls and formulas), `formulas` (choices of formulas), `cases` (short reference cases) and `reference` (tables and series). Longer theory is in `ripple`
 //! and `swing`.
 mod air;
 mod bar;
+mod cases;
 mod channel;
 mod column;
 mod dam_break_front;
@@ -25,8 +26,11 @@ mod drop;
 mod elastic;
 mod enclosure;
 mod evaluation;
+mod evidence;
 mod extremes;
 mod flow;
+mod form;
+mod formulas;
 mod hydrostatic;
 mod impact;
 pub mod integrators;
@@ -35,6 +39,7 @@ mod laplace_drop;
 mod lattice;
 mod lid;
 mod oscillating_drop;
+mod other_forms;
 mod pressure_correction;
 mod rayleigh_taylor;
 mod recipes;
@@ -98,7 +103,31 @@ pub struct Study {
     run: fn(&Context) -> Result<Outcome, Failure>,
 }
 
-/// All studies, the quick ones first.
+/// Studies that `all` leaves out, since each takes longer than all others together.
+pub const LONG_STUDIES: &[Study] = &[
+    Study {
+        name: "evidence-surface",
+        about: "error against run time of walls, densities, diffusions and shiftings, for free surfaces",
+        run: evidence::of_surfaces,
+    },
+    Study {
+        name: "evidence-filled",
+        about: "error against run time of densities, diffusions and shiftings, for domains that the fluid fills",
+        run: evidence::of_filled_domains,
+    },
+    Study {
+        name: "evidence-friction",
+        about: "error against run time of walls, densities, diffusions and shiftings, for viscous channels",
+        run: evidence::of_friction,
+    },
+    Study {
+        name: "evidence-fluids",
+        about: "error against run time of walls, densities, diffusions and shiftings, for two fluids at rest",
+        run: evidence::of_two_fluids,
+    },
+];
+
+/// All other studies, the quick ones first.
 pub const STUDIES: &[Study] = &[
     Study {
         name: "kernels",
@@ -161,6 +190,16 @@ pub const STUDIES: &[Study] = &[
         about: "a lid slides over a cavity and its side walls for 25 s, and no wall changes its density",
         run: lid::run,
     },
+    Study {
+        name: "other-forms",
+        about: "a wind, buoyancy and a gas, against theory; viscosities, pressure forces, XSPH and variable support",
+        run: other_forms::run,
+    },
+    Study {
+        name: "recipes",
+        about: "the recipes for kinds of flow, without any change, on the reference cases of that kind",
+        run: recipes::run,
+    },
     Study { name: "taylor-green", about: "decaying vortices, against the exact solution", run: taylor_green::run },
     Study {
         name: "laplace-drop",
@@ -219,8 +258,9 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
     if name == "all" {
         return check_all(options, &context);
     }
-    let Some(study) = STUDIES.iter().find(|study| study.name == name) else {
-        let known: Vec<&str> = STUDIES.iter().map(|study| study.name).collect();
+    let every = || STUDIES.iter().chain(LONG_STUDIES);
+    let Some(study) = every().find(|study| study.name == name) else {
+        let known: Vec<&str> = every().map(|study| study.name).collect();
         return Err(Failure::Call(format!("no study {name:?}: use all, or one of {}", known.join(", "))));
     };
     let outcome = check(study, &context)?;
@@ -283,11 +323,12 @@ fn keep(options: &Options, name: &str, words: &str) -> Result<(), Failure> {
 }
 
 fn list(json: bool) -> Result<bool, Failure> {
+    let every = STUDIES.iter().chain(LONG_STUDIES);
     if json {
-        let all: Vec<_> = STUDIES.iter().map(|s| serde_json::json!({ "name": s.name, "about": s.about })).collect();
+        let all: Vec<_> = every.map(|s| serde_json::json!({ "name": s.name, "about": s.about })).collect();
         print_json(&all)?;
     } else {
-        let lines: Vec<String> = STUDIES.iter().map(|s| format!("{:20} {}", s.name, s.about)).collect();
+        let lines: Vec<String> = every.map(|s| format!("{:20} {}", s.name, s.about)).collect();
         say(&lines.join("\n"))?;
     }
     Ok(true)

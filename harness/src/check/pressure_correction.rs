@@ -1,15 +1,16 @@
 //! `pressure-correction`: the pressure correction of Pirovano, section 3.2.2. A column of water at its real speed of
 //! sound, 1500 m/s, must be stable with the time step of an equation of state at 30 m/s. That step is fifty times as
 //! long as the one that an equation of state at 1500 m/s would allow.
-use super::column::{Column, Profile};
+use super::column::{Column, Profile, REGULAR};
 use super::enclosure::Enclosure;
 use super::flow::{checked, start_with, step, steps_to};
+use super::formulas::ROWS_STAY;
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use glam::Vec3;
 use millpond_core::OwnedMemory;
-use millpond_core::scene::{Correction, Kernel, PressureForce, PressureSolver, WallPressure, Wind};
+use millpond_core::scene::{Correction, PressureForce, PressureSolver, Wind};
 
 const NAME: &str = "pressure-correction";
 
@@ -45,7 +46,7 @@ const SINKING: f64 = 0.01;
 
 pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let column = Column {
-        walls: Enclosure::Particles(WallPressure::Mirrored),
+        walls: Enclosure::MIRRORED,
         spacing: if context.quick { QUICK_SPACING } else { SPACING },
         width: WIDTH,
         depth: DEPTH,
@@ -54,7 +55,8 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         courant: COURANT * f64::from(SPEED_OF_SOUND) / TAIT_SPEED,
         // Particles do not pair with this kernel. An iteration that may do so fills a volume with pairs, which have a
         // smaller density sum.
-        kernel: (Kernel::WendlandC2, 32.0),
+        model: REGULAR,
+        neighbours: ROWS_STAY,
         jitter: 0.0,
     };
     let mut scene = column.scene();

@@ -7,7 +7,7 @@
 //! continuous across the interface, linear theory gives 1.050 1/s (Chandrasekhar 1961, chapter 10; see `ripple`). The
 //! particles are compared with this rate. The table also has the errors against the usual formula.
 use super::flow::{checked, fluid, grid, mean, start_with, step, steps_to};
-use super::recipes::SEVERAL_FLUIDS;
+use super::formulas::SEVERAL_FLUIDS;
 use super::reference::{entry, number, rows};
 use super::ripple::{DENSITIES, DEPTH, GRAVITY, Mode, NU, WAVE_NUMBER, formula};
 use super::{Context, Metric, Outcome};
@@ -152,7 +152,7 @@ fn scene(across: u16, (density, pressure_force): Form) -> Scene {
     let mut scene = Scene::of(Dimension::Two, 1.0 / f32::from(across), 1.0, fluid(0), below);
     scene.fluids.extend([fluid(1)]);
     scene.blocks = [below, above].into_iter().collect();
-    scene.average_neighbours = NEIGHBOURS;
+    scene.average_neighbours = Some(NEIGHBOURS);
     scene.time_step = (COURANT * support_radius(&scene) / SPEED_OF_SOUND) as f32;
     scene.gravity = Vec3::new(0.0, -GRAVITY as f32, 0.0);
     scene.periodic =
@@ -291,7 +291,7 @@ fn oil_in_water() -> Scene {
     let block = Block { size: Vec3::new(width, height, 0.0), ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, OIL_SPACING, 1.0, water, block);
     scene.fluids.extend([oil]);
-    scene.average_neighbours = NEIGHBOURS;
+    scene.average_neighbours = Some(NEIGHBOURS);
     scene.time_step = (COURANT * support_radius(&scene) / f64::from(oil.speed_of_sound)) as f32;
     scene.gravity = Vec3::new(0.0, -GRAVITY as f32, 0.0);
     let tank = WallShape::Box { low: Vec3::ZERO, high: Vec3::new(width, height, 0.0), open: [].into_iter().collect() };

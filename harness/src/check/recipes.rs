@@ -1,88 +1,35 @@
-//! Choices of formulas for the studies. Every field is given here, so that studies do not change when defaults do.
-use millpond_core::scene::{
-    Correction, DensityDiffusion, DensityForm, EquationOfState, Evaluation, Formulation, Integrator, Iteration, Kernel,
-    NearPressure, PressureForce, PressureSolver, Shifting, SurfaceTension, Viscosity, WallPressure,
+//! `recipes`: each recipe for a kind of flow, without any change, on the reference cases of that kind. Walls are planes
+//! in closed form.
+use super::cases::{
+    Case, channel, dam_break, sliding_wall, standing_wave, tank_for_a_minute, tank_settles, two_fluids, vortices,
 };
+use super::enclosure::Enclosure;
+use super::form::Form;
+use super::{Context, Metric, Outcome};
+use crate::failure::Failure;
+use millpond_core::scene::{Formulation, Recipe};
 
-/// Pirovano's choices for a single fluid.
-pub(super) const PIROVANO: Formulation = Formulation {
-    integrator: Integrator::ModifiedVelocityVerlet,
-    reevaluate: false,
-    density_kernel: Kernel::Poly6,
-    pressure_kernel: Kernel::Spiky,
-    viscosity_kernel: Kernel::Viscosity,
-    evaluation: Evaluation::Direct,
-    density: DensityForm::Summation,
-    density_diffusion: DensityDiffusion::Off,
-    diffusion: 0.1,
-    initialize_hydrostatic: false,
-    normalize_mass: false,
-    pressure_solver: PressureSolver::EquationOfState,
-    equation_of_state: EquationOfState::Tait,
-    tait_exponent: 7,
-    correction: Correction { iteration: Iteration::Relaxed, iterations: 20, tolerance: 0.001 },
-    negative_pressure: true,
-    pressure_force: PressureForce::Mueller,
-    near_pressure: NearPressure::DensityProportional,
-    viscosity: Viscosity::Mueller,
-    alpha: 1.0,
-    beta: 2.0,
-    velocity_exchange: 0.0,
-    radial_exchange: 0.0,
-    xsph: 0.0,
-    shifting: Shifting::Off,
-    shifting_coefficient: 1.0,
-    shifting_speed: None,
-    shift_across_interfaces: false,
-    tensile_control: false,
-    surface_tension: SurfaceTension::Off,
-    surface_threshold: 0.1,
-    surface_normals: false,
-    internal_energy: false,
-    heat_gain: 1.0,
-    variable_support: None,
-    wall_pressure: WallPressure::Mirrored,
-};
+const NAME: &str = "recipes";
 
-/// Wendland's C2 kernel for all terms, the symmetric pressure gradient of Monaghan 1992, the viscosity of Morris et al.
-/// 1997, and no near pressure.
-pub(super) const WENDLAND: Formulation = Formulation {
-    density_kernel: Kernel::WendlandC2,
-    pressure_kernel: Kernel::WendlandC2,
-    viscosity_kernel: Kernel::WendlandC2,
-    pressure_force: PressureForce::Monaghan,
-    near_pressure: NearPressure::Off,
-    viscosity: Viscosity::Morris,
-    ..PIROVANO
-};
-
-/// [`WENDLAND`] for water between walls of particles: the continuity equation with a diffusion that leaves a fluid at
-/// rest alone, and walls that follow the fluid.
-pub(super) const WATER: Formulation = Formulation {
-    density: DensityForm::Continuity,
-    density_diffusion: DensityDiffusion::Hydrostatic,
-    wall_pressure: WallPressure::Extrapolated,
-    normalize_mass: true,
-    ..WENDLAND
-};
-
-/// [`WATER`] that is stretched: particles are shifted to an even distribution, and do not attract each other.
-pub(super) const SHIFTED: Formulation = Formulation { shifting: Shifting::Fickian, tensile_control: true, ..WATER };
-
-/// [`WATER`] with a free surface that hardly shears: it starts at rest under its weight, its pressure is not negative,
-/// and a little artificial viscosity, whose coefficient a study sets, damps its sound.
-pub(super) const WATER_WITH_SURFACE: Formulation = Formulation {
-    viscosity: Viscosity::Artificial,
-    beta: 0.0,
-    initialize_hydrostatic: true,
-    negative_pressure: false,
-    ..WATER
-};
-
-/// Number of neighbours in 2D with which a lattice under pressure keeps its rows with [`WATER`].
-pub(super) const ROWS_STAY: f32 = 32.0;
-
-/// [`WENDLAND`] for several fluids: a density that is not smeared across an interface (Solenthaler and Pajarola 2008),
-/// and the pressure force of Hu and Adams 2007.
-pub(super) const SEVERAL_FLUIDS: Formulation =
-    Formulation { density: DensityForm::SummationAdapted, pressure_force: PressureForce::DensityWeighted, ..WENDLAND };
+pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
+    // a quick study leaves out what takes longest
+    let long = |case: Case| if context.quick { vec![] } else { vec![case] };
+    let cases: [(Recipe, Vec<Case>); 7] = [
+        (Recipe::FreeSurface, vec![tank_settles(), standing_wave()]),
+        (Recipe::FreeSurface, long(tank_for_a_minute())),
+        (Recipe::Impact, vec![tank_settles()]),
+        (Recipe::Impact, long(dam_break())),
+        (Recipe::ClosedBox, vec![vortices()]),
+        (Recipe::Viscous, vec![channel(), sliding_wall()]),
+        (Recipe::SeveralFluids, vec![two_fluids()]),
+    ];
+    let mut figures = Vec::new();
+    for (recipe, cases) in cases {
+        let form = Form { walls: Enclosure::CLOSED_FORM, model: Formulation::of(recipe) };
+        for case in cases {
+            let name = format!("{}, {}: {}", recipe.name(), case.name, case.error);
+            figures.push(Metric::below(name, case.error_of(context, &form)?, case.limit));
+        }
+    }
+    Ok(Outcome::new(NAME, figures, Vec::new()))
+}

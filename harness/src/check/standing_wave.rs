@@ -2,15 +2,14 @@
 //! is the numerical viscosity of the fluid, and it must not grow.
 use super::enclosure::Enclosure;
 use super::flow::{checked, fluid, grid, larger, start_with, step, steps_to};
-use super::recipes::{ROWS_STAY, WATER_WITH_SURFACE};
+use super::form::Form;
+use super::formulas::{ROWS_STAY, WATER_WITH_SURFACE};
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use glam::Vec3;
 use millpond_core::backend::derive::support_radius;
-use millpond_core::scene::{
-    Block, DensityDiffusion, Dimension, Face, Fluid, Formulation, InitialParticle, Scene, WallPressure,
-};
+use millpond_core::scene::{Block, DensityDiffusion, Dimension, Face, Fluid, Formulation, InitialParticle, Scene};
 use millpond_core::{OwnedMemory, Particle, Solver};
 use std::f64::consts::PI;
 
@@ -18,11 +17,11 @@ const NAME: &str = "standing-wave";
 
 /// Spacing over the depth, in a full and in a quick study. The depth is 1 m and the tank 2 m wide, half a wave.
 const SPACING: f32 = 0.02;
-const QUICK_SPACING: f32 = 0.04;
+pub(super) const QUICK_SPACING: f32 = 0.04;
 
 /// Number of periods, in a full and in a quick study.
 const PERIODS: f64 = 20.0;
-const QUICK_PERIODS: f64 = 6.0;
+pub(super) const QUICK_PERIODS: f64 = 6.0;
 
 /// Wave number, 1/m, and gravity, m/s2.
 const WAVE_NUMBER: f64 = PI;
@@ -39,40 +38,42 @@ const COURANT: f64 = 0.1;
 /// m2/s in a full study.
 const ALPHA: f32 = 0.0025;
 
+/// The formulas.
+pub(super) const MODEL: Formulation = Formulation { alpha: ALPHA, ..WATER_WITH_SURFACE };
+
 /// Required limits: error of the period, numerical viscosity in m2/s, and the amplitude of a later period over that of
 /// the first.
-const PERIOD: f64 = 0.01;
+pub(super) const PERIOD: f64 = 0.01;
 const VISCOSITY: f64 = 3e-3;
 const GROWTH: f64 = 1.0;
 
 /// A numerical viscosity is proportional to the spacing.
-const QUICK_VISCOSITY: f64 = VISCOSITY * (QUICK_SPACING / SPACING) as f64;
+pub(super) const QUICK_VISCOSITY: f64 = VISCOSITY * (QUICK_SPACING / SPACING) as f64;
 
 const STEPS_PER_SAMPLE: u64 = 5;
 
 /// Compared forms of walls and diffusion of density. The first one has the limits, and a quick study runs only
 /// that one.
-const FORMS: [Form; 5] = [
-    (Enclosure::Particles(WallPressure::Extrapolated), DensityDiffusion::Hydrostatic),
-    (Enclosure::ClosedForm, DensityDiffusion::Hydrostatic),
-    (Enclosure::Particles(WallPressure::Extrapolated), DensityDiffusion::Off),
-    (Enclosure::Particles(WallPressure::Mirrored), DensityDiffusion::Hydrostatic),
-    (Enclosure::Particles(WallPressure::Dynamic), DensityDiffusion::Hydrostatic),
+const FORMS: [(Enclosure, DensityDiffusion); 5] = [
+    (Enclosure::EXTRAPOLATED, DensityDiffusion::Hydrostatic),
+    (Enclosure::CLOSED_FORM, DensityDiffusion::Hydrostatic),
+    (Enclosure::EXTRAPOLATED, DensityDiffusion::Off),
+    (Enclosure::MIRRORED, DensityDiffusion::Hydrostatic),
+    (Enclosure::DYNAMIC, DensityDiffusion::Hydrostatic),
 ];
-type Form = (Enclosure, DensityDiffusion);
 
 /// What a run shows of the wave.
-struct Wave {
+pub(super) struct Wave {
     /// Period over that of linear theory, minus one.
-    period: f64,
+    pub(super) period: f64,
     /// Numerical viscosity, m2/s.
-    viscosity: f64,
+    pub(super) viscosity: f64,
     /// Largest later amplitude over the first one.
-    growth: f64,
+    pub(super) growth: f64,
 }
 
 /// Angular frequency by linear theory, `w^2 = g k tanh(k H)`, 1/s.
-fn frequency() -> f64 {
+pub(super) fn frequency() -> f64 {
     (f64::from(GRAVITY) * WAVE_NUMBER * WAVE_NUMBER.tanh()).sqrt()
 }
 
@@ -84,8 +85,9 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     };
     let mut figures = Vec::new();
     let mut lines = Vec::new();
-    for (i, form @ (wall, diffusion)) in FORMS.into_iter().take(forms).enumerate() {
-        let line = match swing(context, spacing, periods, form) {
+    for (i, (walls, diffusion)) in FORMS.into_iter().take(forms).enumerate() {
+        let form = Form::of(MODEL, (walls, MODEL.density, diffusion));
+        let line = match swing(context, spacing, periods, &form) {
             Err(Failure::Step(error)) if i > 0 => [error.to_string(), String::new(), String::new()],
             Err(failure) => return Err(failure),
             Ok(Wave { period, viscosity, growth }) => {
@@ -98,22 +100,22 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
             }
         };
         let [period, viscosity, growth] = line;
-        lines.push([format!("{}, {}", wall.name(), diffusion.name()), period, viscosity, growth]);
+        lines.push([format!("{}, {}", walls.name(), diffusion.name()), period, viscosity, growth]);
     }
     let titles = ["walls, diffusion", "error of the period", "numerical viscosity, m2/s", "largest later amplitude"];
     Ok(Outcome::new(NAME, figures, vec![table(titles, lines)]))
 }
 
-fn scene(spacing: f32, (walls, density_diffusion): Form) -> Scene {
+fn scene(spacing: f32, form: &Form) -> Scene {
     let speed_of_sound = SOUND * GRAVITY.sqrt();
     let water = Fluid { rest_density: 1000.0, speed_of_sound, ..Fluid::default() };
     let block = Block { size: Vec3::new(2.0, 1.0, 0.0), ..Block::default() };
     let mut scene = Scene::of(Dimension::Two, spacing, 1.0, water, block);
     scene.gravity = Vec3::new(0.0, -GRAVITY, 0.0);
-    scene.average_neighbours = ROWS_STAY;
+    scene.average_neighbours = Some(ROWS_STAY);
     scene.time_step = (COURANT * support_radius(&scene) / f64::from(speed_of_sound)) as f32;
-    scene.model = Formulation { density_diffusion, alpha: ALPHA, ..WATER_WITH_SURFACE };
-    walls.enclose(&mut scene, Vec3::new(2.0, 1.2, 0.0), &[Face::Ceiling], Some(0.0));
+    scene.model = form.model;
+    form.walls.enclose(&mut scene, Vec3::new(2.0, 1.2, 0.0), &[Face::Ceiling], Some(0.0));
     scene.grid = grid(Dimension::Two, 32);
     scene
 }
@@ -125,7 +127,8 @@ fn mode(position: Vec3) -> [f64; 2] {
     [-x.sin() * y.cosh() / depth, x.cos() * y.sinh() / depth]
 }
 
-fn swing(context: &Context, spacing: f32, periods: f64, form: Form) -> Result<Wave, Failure> {
+/// Lets the wave swing.
+pub(super) fn swing(context: &Context, spacing: f32, periods: f64, form: &Form) -> Result<Wave, Failure> {
     let scene = scene(spacing, form);
     let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
@@ -140,7 +143,7 @@ fn swing(context: &Context, spacing: f32, periods: f64, form: Form) -> Result<Wa
     };
     let places = scene.initial_particles().enumerate().map(moving).collect();
     let mut solver = start_with(NAME, &scene, places, &mut heap)?;
-    let title = format!("{NAME} {}, {}", form.0.name(), form.1.name());
+    let title = format!("{NAME} {}", form.name());
     let mut samples = vec![(0.0, amplitude(&solver))];
     let steps = steps_to(&scene, periods * 2.0 * PI / frequency());
     step(&title, context, &mut solver, steps, STEPS_PER_SAMPLE, |solver| {

@@ -4,21 +4,19 @@ use super::column::Column;
 use super::column::Profile;
 use super::enclosure::Enclosure;
 use super::flow::{checked, larger, rms_speed, start_with, step, steps_to};
+use super::form::{Form, Rules};
+use super::hydrostatic::{damped, regular};
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
 use millpond_core::OwnedMemory;
-use millpond_core::scene::{DensityDiffusion, DensityForm, Kernel, Viscosity, WallPressure};
+use millpond_core::scene::{DensityDiffusion, DensityForm};
 
 const NAME: &str = "still-tank";
 
 /// Spacing, m, in a full and in a quick study. It divides the width of the tank and the depth of the water.
 const SPACING: f32 = 0.02;
 const QUICK_SPACING: f32 = 0.025;
-
-/// Coefficient of artificial viscosity. It is used with the support radius instead of Monaghan's h, so it is twice his
-/// 0.1. It damps the jitter of single rows, but not the slow sound wave of the whole column.
-const ALPHA: f32 = 0.1;
 
 /// End of the run, s, and the part at its end over which the largest speed counts, s. The sound wave of the column has
 /// a period of 0.4 s, and a single state could be one in which the wave reverses.
@@ -40,51 +38,46 @@ const QUICK_LIMIT_SQUARED: f64 = LIMIT * LIMIT * (QUICK_SPACING / SPACING) as f6
 const SINKING: f64 = 0.05;
 
 /// Compared forms of walls, density and diffusion. The first one has the limits above.
-const FORMS: [Form; 2] = [
-    (MIRRORED, DensityForm::Continuity, DensityDiffusion::Off),
-    (MIRRORED, DensityForm::Summation, DensityDiffusion::Off),
+const FORMS: [Rules; 2] = [
+    (Enclosure::MIRRORED, DensityForm::Continuity, DensityDiffusion::Off),
+    (Enclosure::MIRRORED, DensityForm::Summation, DensityDiffusion::Off),
 ];
 
 /// The forms that keep still for a minute. The first one has the limits below, and a quick study runs only that one.
-const STILL: [Form; 2] = [
-    (Enclosure::ClosedForm, DensityForm::Continuity, DensityDiffusion::Hydrostatic),
-    (EXTRAPOLATED, DensityForm::Continuity, DensityDiffusion::Hydrostatic),
+const STILL: [Rules; 2] = [
+    (Enclosure::CLOSED_FORM, DensityForm::Continuity, DensityDiffusion::Hydrostatic),
+    (Enclosure::EXTRAPOLATED, DensityForm::Continuity, DensityDiffusion::Hydrostatic),
 ];
-const MINUTE: f64 = 60.0;
+pub(super) const MINUTE: f64 = 60.0;
 
 /// Required limits after a minute: rms speed over that of a long wave, and error of every layer over the pressure at
 /// the floor.
-const STILL_SPEED: f64 = 0.002;
-const STILL_PROFILE: f64 = 0.02;
-
-/// Forms of walls, density and diffusion of density.
-type Form = (Enclosure, DensityForm, DensityDiffusion);
-const MIRRORED: Enclosure = Enclosure::Particles(WallPressure::Mirrored);
-const EXTRAPOLATED: Enclosure = Enclosure::Particles(WallPressure::Extrapolated);
+pub(super) const STILL_SPEED: f64 = 0.002;
+pub(super) const STILL_PROFILE: f64 = 0.02;
 
 /// Results of a run.
-struct Rest {
+pub(super) struct Rest {
     /// Largest rms speed at the end of the run, over the speed of a long wave.
-    speed: f64,
+    pub(super) speed: f64,
     /// Largest error of a layer in that time, over the pressure at the floor.
-    profile: f64,
+    pub(super) profile: f64,
     /// Particles that are no longer in the tank.
-    lost: usize,
+    pub(super) lost: usize,
     /// Loss of mean height, in spacings.
     sunk: f64,
 }
 
 pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
-    // The start is regular, and particles do not pair with this kernel: all motion is caused by the walls and the
-    // surface.
-    let kernel = (Kernel::WendlandC2, 32.0);
     let (spacing, limit, forms) =
         if context.quick { (QUICK_SPACING, QUICK_LIMIT_SQUARED.sqrt(), 1) } else { (SPACING, LIMIT, FORMS.len()) };
-    let column = Column { kernel, jitter: 0.0, ..Column::of_reference_case(spacing) };
+    // The start is regular, and particles do not pair with this kernel: all motion is caused by the walls and the
+    // surface.
+    let column = regular(spacing);
+    let of = |rules: Rules| Form::of(damped(column.model), rules);
     let mut figures = Vec::new();
     let mut lines = Vec::new();
-    for (i, form) in FORMS.into_iter().take(forms).enumerate() {
-        match rest(context, &column, form, END) {
+    for (i, form) in FORMS.into_iter().take(forms).map(of).enumerate() {
+        match rest(context, &column.with(&form), END) {
             Ok(Rest { speed, profile, lost, sunk }) => {
                 if i == 0 {
                     figures.push(Metric::below("rms speed over sqrt(g H)", speed, limit));
@@ -92,24 +85,24 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
                     figures.push(Metric::below("change of mean height, over compression", moved.abs(), SINKING));
                     figures.push(Metric::below("particles lost", lost as f64, 0.0));
                 }
-                lines.push(line(form, END, &Rest { speed, profile, lost, sunk }));
+                lines.push(line(&form, END, &Rest { speed, profile, lost, sunk }));
             }
             Err(Failure::Step(error)) if i > 0 => {
                 let empty = String::new;
-                lines.push([name(form), END.to_string(), error.to_string(), empty(), empty(), empty()]);
+                lines.push([form.name(), END.to_string(), error.to_string(), empty(), empty(), empty()]);
             }
             Err(failure) => return Err(failure),
         }
     }
-    for (i, form) in STILL.into_iter().take(forms).enumerate() {
-        let still = rest(context, &column, form, MINUTE)?;
+    for (i, form) in STILL.into_iter().take(forms).map(of).enumerate() {
+        let still = rest(context, &column.with(&form), MINUTE)?;
         if i == 0 {
-            let of = |what: &str| format!("{what} after {MINUTE} s, {}", name(form));
+            let of = |what: &str| format!("{what} after {MINUTE} s, {}", form.name());
             figures.push(Metric::below(of("rms speed over sqrt(g H)"), still.speed, STILL_SPEED));
             figures.push(Metric::below(of("largest error of a layer"), still.profile, STILL_PROFILE));
             figures.push(Metric::below(of("particles lost"), still.lost as f64, 0.0));
         }
-        lines.push(line(form, MINUTE, &still));
+        lines.push(line(&form, MINUTE, &still));
     }
     let titles = [
         "walls, density, diffusion",
@@ -122,14 +115,10 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     Ok(Outcome::new(NAME, figures, vec![table(titles, lines)]))
 }
 
-fn name((walls, density, diffusion): Form) -> String {
-    format!("{}, {}, {}", walls.name(), density.name(), diffusion.name())
-}
-
-fn line(form: Form, end: f64, rest: &Rest) -> [String; 6] {
+fn line(form: &Form, end: f64, rest: &Rest) -> [String; 6] {
     let percent = |x: f64| format!("{:.3} %", x * 100.0);
     [
-        name(form),
+        form.name(),
         end.to_string(),
         percent(rest.speed),
         percent(rest.profile),
@@ -138,20 +127,15 @@ fn line(form: Form, end: f64, rest: &Rest) -> [String; 6] {
     ]
 }
 
-fn rest(context: &Context, column: &Column, form: Form, end: f64) -> Result<Rest, Failure> {
-    let (walls, density, diffusion) = form;
-    let mut scene = Column { walls, ..*column }.scene();
-    (scene.model.density, scene.model.density_diffusion) = (density, diffusion);
-    scene.model.initialize_hydrostatic = true;
-    scene.model.viscosity = Viscosity::Artificial;
-    scene.model.alpha = ALPHA;
-    scene.model.beta = 0.0;
+/// Watches the tank until `end`, s.
+pub(super) fn rest(context: &Context, column: &Column, end: f64) -> Result<Rest, Failure> {
+    let scene = column.scene();
     let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, scene.initial_particles().collect(), &mut heap)?;
     let start = Column::mean_height(&solver);
     let (mut speed, mut profile) = (0.0f64, Profile::default());
-    step(&name(form), context, &mut solver, steps_to(&scene, end), STEPS_PER_SAMPLE, |solver| {
+    step(NAME, context, &mut solver, steps_to(&scene, end), STEPS_PER_SAMPLE, |solver| {
         if solver.time() > end - WINDOW {
             speed = speed.max(rms_speed(solver));
             profile.add(solver);

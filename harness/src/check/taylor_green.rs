@@ -6,7 +6,7 @@
 //! what was tried). One is a support so wide that single particles matter little. The other is a packing slightly
 //! denser than at rest: without this background pressure some pressures would be negative, and particles clump.
 use super::flow::{checked, fluid, grid, heap_for, mean, start_with, step, steps_to};
-use super::recipes::{SHIFTED, WENDLAND};
+use super::formulas::{SHIFTED, WENDLAND};
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
 use crate::outcome::table;
@@ -30,14 +30,14 @@ const NU: f64 = 0.01;
 const SPEED_OF_SOUND: f32 = 10.0;
 
 /// Particles along a side, in a full and in a quick study.
-const SIDE: u16 = 100;
-const QUICK_SIDE: u16 = 50;
+pub(super) const SIDE: u16 = 100;
+pub(super) const QUICK_SIDE: u16 = 50;
 
 /// Number of neighbours with shifting.
-const AVERAGE_NEIGHBOURS: f32 = 32.0;
+pub(super) const AVERAGE_NEIGHBOURS: f32 = 32.0;
 
 /// Fastest speed of the flow, m/s: the speed of the shifting.
-const FASTEST: f32 = 1.0;
+pub(super) const FASTEST: f32 = 1.0;
 
 /// Without shifting: spacing of the scene over that of the particles, which are packed 3 % denser than at rest, and
 /// number of neighbours, for a support radius of six particle spacings.
@@ -51,12 +51,12 @@ const COURANT: f64 = 0.2;
 const JITTER: f64 = 0.2;
 
 /// Interval over which the rate is fitted, and time at which speeds are compared, s, as in case V2.
-const FIT: [f64; 2] = [0.2, 2.0];
+pub(super) const FIT: [f64; 2] = [0.2, 2.0];
 const LOOK: f64 = 1.0;
 const STEPS_PER_SAMPLE: u64 = 5;
 
 /// Required limit: 5 % of the decay rate of the kinetic energy, `16 pi^2 nu`.
-const LIMIT: f64 = 0.05;
+pub(super) const LIMIT: f64 = 0.05;
 
 /// What keeps the particles in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,18 +72,28 @@ enum Remedy {
 /// The best of the forms without shifting, from both starts.
 const BEST: Remedy = Remedy::Packing(DensityForm::Summation, PressureForce::Monaghan);
 
+/// Formulas, and how the particles are packed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Packed {
+    pub(super) model: Formulation,
+    /// Spacing of the scene over that of the particles.
+    pub(super) looser: f32,
+    /// Number of neighbours.
+    pub(super) neighbours: f32,
+}
+
 /// Arrangement of the particles at the start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Start {
+pub(super) enum Start {
     Lattice,
     Jittered,
 }
 
 /// Results of a run.
 #[derive(Clone, Copy, Debug)]
-struct Decay {
+pub(super) struct Decay {
     /// Relative error of the fitted rate.
-    rate: f64,
+    pub(super) rate: f64,
     /// Relative error of the largest speed at [`LOOK`].
     fastest: f64,
     /// Mean error of the speed at [`LOOK`], over the mean speed.
@@ -97,7 +107,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     for remedy in [Remedy::Diffusion, Remedy::Transport, BEST] {
         for &side in sides {
             for start in [Start::Jittered, Start::Lattice] {
-                let decay = decay(context, side, remedy, start)?;
+                let decay = decay(context, side, &remedy.packed(), start)?;
                 lines.push(line(side, remedy, start, &Ok(decay)));
                 // without shifting, 50 x 50 particles that start as a lattice are far off with all forms: see the table
                 if remedy != BEST || start == Start::Jittered || side == SIDE {
@@ -110,7 +120,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     if !context.quick {
         for remedy in forms().filter(|remedy| *remedy != BEST) {
             for start in [Start::Jittered, Start::Lattice] {
-                lines.push(line(QUICK_SIDE, remedy, start, &decay(context, QUICK_SIDE, remedy, start)));
+                lines.push(line(QUICK_SIDE, remedy, start, &decay(context, QUICK_SIDE, &remedy.packed(), start)));
             }
         }
     }
@@ -121,6 +131,22 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
 }
 
 impl Remedy {
+    fn packed(self) -> Packed {
+        let model = match self {
+            Remedy::Diffusion => Formulation { shifting_speed: Some(FASTEST), ..SHIFTED },
+            Remedy::Transport => {
+                Formulation { normalize_mass: true, shifting: Shifting::TransportVelocity, ..WENDLAND }
+            }
+            Remedy::Packing(density, pressure_force) => {
+                Formulation { normalize_mass: true, density, pressure_force, ..WENDLAND }
+            }
+        };
+        match self {
+            Remedy::Packing(..) => Packed { model, looser: LOOSER, neighbours: WIDE },
+            _ => Packed { model, looser: 1.0, neighbours: AVERAGE_NEIGHBOURS },
+        }
+    }
+
     fn name(self) -> String {
         match self {
             Remedy::Diffusion => "Continuity, Fickian shifting".into(),
@@ -147,7 +173,7 @@ fn line(side: u16, remedy: Remedy, start: Start, decay: &Result<Decay, Failure>)
     [side.to_string(), remedy.name(), format!("{start:?}"), rate, fastest, speed]
 }
 
-fn scene(side: u16, remedy: Remedy) -> Scene {
+fn scene(side: u16, packed: &Packed) -> Scene {
     let fluid = Fluid {
         rest_density: REST_DENSITY,
         speed_of_sound: SPEED_OF_SOUND,
@@ -155,16 +181,9 @@ fn scene(side: u16, remedy: Remedy) -> Scene {
         ..Fluid::default()
     };
     let block = Block { size: Vec3::new(1.0, 1.0, 0.0), ..Block::default() };
-    let mut scene = Scene::of(Dimension::Two, 1.0 / f32::from(side), 1.0, fluid, block);
-    scene.average_neighbours = AVERAGE_NEIGHBOURS;
-    scene.model = match remedy {
-        Remedy::Diffusion => Formulation { shifting_speed: Some(FASTEST), ..SHIFTED },
-        Remedy::Transport => Formulation { normalize_mass: true, shifting: Shifting::TransportVelocity, ..WENDLAND },
-        Remedy::Packing(density, pressure_force) => {
-            (scene.particle_spacing, scene.average_neighbours) = (LOOSER / f32::from(side), WIDE);
-            Formulation { normalize_mass: true, density, pressure_force, ..WENDLAND }
-        }
-    };
+    let mut scene = Scene::of(Dimension::Two, packed.looser / f32::from(side), 1.0, fluid, block);
+    scene.average_neighbours = Some(packed.neighbours);
+    scene.model = packed.model;
     scene.time_step = (COURANT * support_radius(&scene) / f64::from(SPEED_OF_SOUND)) as f32;
     scene.periodic = Some(Periodic { low: Vec3::ZERO, high: Vec3::new(1.0, 1.0, 0.0), axes: [true, true, false] });
     scene.grid = grid(Dimension::Two, 32);
@@ -207,8 +226,9 @@ fn particles(scene: &Checked<'_>, side: u16, start: Start) -> Vec<InitialParticl
     all
 }
 
-fn decay(context: &Context, side: u16, remedy: Remedy, start: Start) -> Result<Decay, Failure> {
-    let scene = scene(side, remedy);
+/// Lets the vortices decay.
+pub(super) fn decay(context: &Context, side: u16, packed: &Packed, start: Start) -> Result<Decay, Failure> {
+    let scene = scene(side, packed);
     let scene = checked(NAME, &scene)?;
     let places = particles(&scene, side, start);
     let mut heap = heap_for(&scene, places.len());

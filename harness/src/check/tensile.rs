@@ -3,7 +3,7 @@
 //!
 //! Then a bar of fluid that spins, with shifting and tensile control instead of near pressure: see [`bar`].
 use super::flow::{checked, fluid, grid, mean, start_with, step, steps_to};
-use super::recipes::PIROVANO;
+use super::formulas::PIROVANO;
 use super::{Context, Metric, Outcome, bar};
 use crate::failure::Failure;
 use crate::outcome::table;
@@ -95,7 +95,7 @@ fn scene(context: &Context, near_pressure: NearPressure) -> Scene {
     let water = Fluid { dynamic_viscosity: VISCOSITY, ..Fluid::default() };
     let block = Block { corner: Vec3::splat(-edge / 2.0), size: Vec3::splat(edge), ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, SPACING, TIME_STEP, water, block);
-    scene.average_neighbours = AVERAGE_NEIGHBOURS;
+    scene.average_neighbours = Some(AVERAGE_NEIGHBOURS);
     scene.model = Formulation { near_pressure, ..PIROVANO };
     scene.grid = grid(Dimension::Three, 16);
     scene

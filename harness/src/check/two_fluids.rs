@@ -5,8 +5,10 @@
 //! the light fluid over the nearest rows of the heavy one. Rows that are not compressed are then pushed apart, or
 //! pulled in where pressure may be negative. The adapted forms ignore the density of the other fluid (Pirovano,
 //! section 3.4.3).
+use super::enclosure::Enclosure;
 use super::flow::{checked, grid, larger, rms_speed, start_with, step, steps_to};
-use super::recipes::SEVERAL_FLUIDS;
+use super::form::Form;
+use super::formulas::SEVERAL_FLUIDS;
 use super::strata::{GRAVITY, HEAVY, NEAR, Rest, Row, averaged, mixed, near, rows};
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
@@ -23,7 +25,7 @@ const NAME: &str = "two-fluids";
 /// Particles along a side of the box of 1 m, in a full and in a quick study. The number is even, since the interface is
 /// halfway up.
 const SIDE: u16 = 30;
-const QUICK_SIDE: u16 = 20;
+pub(super) const QUICK_SIDE: u16 = 20;
 
 /// Speed of sound of the heavy fluid, m/s: ten times `sqrt(g H)`. The light fluid is as hard to compress (equal
 /// `rho c^2`), so that the remaining pressure noise of the heavy fluid does not crush it. Its speed of sound is
@@ -37,7 +39,7 @@ const COURANT: f64 = 0.2;
 const ALPHA: f32 = 0.1;
 
 /// Density ratios and end times, s. The end is the 5 s of case M1 where the thousands of steps per second allow it.
-const CASES: [Case; 4] = [
+pub(super) const CASES: [Case; 4] = [
     Case { ratio: 2.0, end: 5.0, quick_end: 1.0 },
     Case { ratio: 10.0, end: 5.0, quick_end: 1.0 },
     Case { ratio: 100.0, end: 4.0, quick_end: 0.5 },
@@ -58,20 +60,20 @@ const JITTER: f32 = 0.2;
 /// the table).
 const KERNEL: (Kernel, f32) = (Kernel::WendlandC4, 32.0);
 
-type Form = (DensityForm, PressureForce);
-
 /// Compared forms. The first one has the limits. The second one has Pirovano's pressure gradient, which lacks half of
 /// the step of the weight in the rows at the interface.
-const ADAPTED: Form = (DensityForm::SummationAdapted, PressureForce::DensityWeighted);
-const SYMMETRIC: Form = (DensityForm::SummationAdapted, PressureForce::MonaghanAdapted);
-const CLASSIC: Form = (DensityForm::Summation, PressureForce::Monaghan);
+const ADAPTED: Sums = (DensityForm::SummationAdapted, PressureForce::DensityWeighted);
+const SYMMETRIC: Sums = (DensityForm::SummationAdapted, PressureForce::MonaghanAdapted);
+const CLASSIC: Sums = (DensityForm::Summation, PressureForce::Monaghan);
+
+type Sums = (DensityForm, PressureForce);
 
 /// A density ratio, and how long its run is.
 #[derive(Clone, Copy, Debug)]
-struct Case {
-    ratio: f32,
+pub(super) struct Case {
+    pub(super) ratio: f32,
     end: f64,
-    quick_end: f64,
+    pub(super) quick_end: f64,
 }
 
 pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
@@ -79,18 +81,19 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let mut figures = Vec::new();
     let (mut lines, mut profiles) = (Vec::new(), Vec::new());
     for case in CASES {
-        let adapted = rest(context, side, case, ADAPTED)?;
-        let classic = rest(context, side, case, CLASSIC);
+        let rest = |sums| rest(context, side, case, &form_of(sums), KERNEL.1);
+        let adapted = rest(ADAPTED)?;
+        let classic = rest(CLASSIC);
         figures.extend(adapted.figures());
         lines.push(line(case, ADAPTED, Ok(&adapted)));
-        lines.push(line(case, SYMMETRIC, rest(context, side, case, SYMMETRIC).as_ref()));
+        lines.push(line(case, SYMMETRIC, rest(SYMMETRIC).as_ref()));
         lines.push(line(case, CLASSIC, classic.as_ref()));
-        let smeared = start(&scene(side, case.ratio, CLASSIC), side)?;
+        let smeared = start(&scene(side, case.ratio, &form_of(CLASSIC), KERNEL.1), side)?;
         profiles.push(profile(case, &smeared, &adapted, classic.as_ref().ok()));
     }
-    for form in [ADAPTED, CLASSIC] {
-        let name = format!("hashes that differ, two labels of one fluid, {}", form.0.name());
-        figures.push(Metric::below(name, labels(context, side, form)?, 0.0));
+    for sums in [ADAPTED, CLASSIC] {
+        let name = format!("hashes that differ, two labels of one fluid, {}", sums.0.name());
+        figures.push(Metric::below(name, labels(context, side, sums)?, 0.0));
     }
     let titles = [
         "ratio",
@@ -109,7 +112,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     Ok(Outcome::new(NAME, figures, notes))
 }
 
-fn line(case: Case, form: Form, rest: Result<&Rest, &Failure>) -> [String; 8] {
+fn line(case: Case, form: Sums, rest: Result<&Rest, &Failure>) -> [String; 8] {
     let percent = |x: f64| format!("{:.2} %", x * 100.0);
     let name = format!("{}, {}", form.0.name(), form.1.name());
     let [time, speed, pressure, jump, gap, mixed] = match rest {
@@ -157,19 +160,9 @@ fn profile(case: Case, smeared: &[Row], adapted: &Rest, classic: Option<&Rest>) 
     format!("Density across the interface, ratio {}:\n\n{}", case.ratio, table(titles, lines))
 }
 
-fn scene(side: u16, ratio: f32, (density, pressure_force): Form) -> Scene {
-    let heavy = Fluid { rest_density: HEAVY, speed_of_sound: SPEED_OF_SOUND, ..Fluid::default() };
-    let light = Fluid { rest_density: HEAVY / ratio, speed_of_sound: SPEED_OF_SOUND * ratio.sqrt(), ..heavy };
-    let below = Block { size: Vec3::new(1.0, 0.5, 0.0), ..Block::default() };
-    let above = Block { fluid: 1, corner: Vec3::new(0.0, 0.5, 0.0), ..below };
-    let mut scene = Scene::of(Dimension::Two, 1.0 / f32::from(side), 1.0, heavy, below);
-    scene.fluids.extend([light]);
-    scene.blocks = [below, above].into_iter().collect();
-    let (kernel, neighbours) = KERNEL;
-    scene.average_neighbours = neighbours;
-    scene.time_step = (COURANT * support_radius(&scene) / f64::from(light.speed_of_sound)) as f32;
-    scene.gravity = Vec3::new(0.0, -GRAVITY, 0.0);
-    scene.model = Formulation {
+/// Returns the form of this study with these sums.
+fn form_of((density, pressure_force): Sums) -> Form {
+    let model = Formulation {
         density,
         pressure_force,
         viscosity: Viscosity::Artificial,
@@ -179,11 +172,26 @@ fn scene(side: u16, ratio: f32, (density, pressure_force): Form) -> Scene {
         negative_pressure: false,
         initialize_hydrostatic: true,
         normalize_mass: true,
-        density_kernel: kernel,
-        pressure_kernel: kernel,
-        viscosity_kernel: kernel,
+        density_kernel: KERNEL.0,
+        pressure_kernel: KERNEL.0,
+        viscosity_kernel: KERNEL.0,
         ..SEVERAL_FLUIDS
     };
+    Form { walls: Enclosure::MIRRORED, model }
+}
+
+fn scene(side: u16, ratio: f32, form: &Form, neighbours: f32) -> Scene {
+    let heavy = Fluid { rest_density: HEAVY, speed_of_sound: SPEED_OF_SOUND, ..Fluid::default() };
+    let light = Fluid { rest_density: HEAVY / ratio, speed_of_sound: SPEED_OF_SOUND * ratio.sqrt(), ..heavy };
+    let below = Block { size: Vec3::new(1.0, 0.5, 0.0), ..Block::default() };
+    let above = Block { fluid: 1, corner: Vec3::new(0.0, 0.5, 0.0), ..below };
+    let mut scene = Scene::of(Dimension::Two, 1.0 / f32::from(side), 1.0, heavy, below);
+    scene.fluids.extend([light]);
+    scene.blocks = [below, above].into_iter().collect();
+    scene.average_neighbours = Some(neighbours);
+    scene.time_step = (COURANT * support_radius(&scene) / f64::from(light.speed_of_sound)) as f32;
+    scene.gravity = Vec3::new(0.0, -GRAVITY, 0.0);
+    scene.model = form.model;
     // each fluid lies between walls of its own density, so that the classic sum smears only the interface
     let walls = |fluid: u32, from: f32, open: Face| {
         let (low, high) = ([0.0, from, 0.0], [1.0, from + 0.5, 0.0]);
@@ -192,19 +200,25 @@ fn scene(side: u16, ratio: f32, (density, pressure_force): Form) -> Scene {
             ..Wall::still(WallShape::Box { low: low.into(), high: high.into(), open: [open].into_iter().collect() })
         }
     };
-    scene.walls = [walls(0, 0.0, Face::Ceiling), walls(1, 0.5, Face::Floor)].into_iter().collect();
+    if let Enclosure::Particles(wall_pressure) = form.walls {
+        scene.model.wall_pressure = wall_pressure;
+        scene.walls = [walls(0, 0.0, Face::Ceiling), walls(1, 0.5, Face::Floor)].into_iter().collect();
+    } else {
+        form.walls.enclose(&mut scene, Vec3::new(1.0, 1.0, 0.0), &[], None);
+    }
     scene.grid = grid(Dimension::Two, 32);
     scene
 }
 
-fn rest(context: &Context, side: u16, case: Case, form: Form) -> Result<Rest, Failure> {
-    let scene = scene(side, case.ratio, form);
+/// Watches the fluids.
+pub(super) fn rest(context: &Context, side: u16, case: Case, form: &Form, neighbours: f32) -> Result<Rest, Failure> {
+    let scene = scene(side, case.ratio, form, neighbours);
     let end = if context.quick { case.quick_end } else { case.end };
     let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, scene.initial_particles().collect(), &mut heap)?;
     let (mut samples, mut speed) = (Vec::new(), 0.0);
-    let title = format!("{NAME} {} {}", case.ratio, form.0.name());
+    let title = format!("{NAME} {} {}", case.ratio, form.name());
     step(&title, context, &mut solver, steps_to(&scene, end), STEPS_PER_SAMPLE, |solver| {
         if solver.time() > end * (1.0 - LAST) {
             samples.push(rows(solver, &scene, side));
@@ -231,8 +245,8 @@ fn start(scene: &Scene, side: u16) -> Result<Vec<Row>, Failure> {
 }
 
 /// Returns 1 if the result depends on whether one fluid has two labels, else 0.
-fn labels(context: &Context, side: u16, form: Form) -> Result<f64, Failure> {
-    let mut two = scene(side, 1.0, form);
+fn labels(context: &Context, side: u16, sums: Sums) -> Result<f64, Failure> {
+    let mut two = scene(side, 1.0, &form_of(sums), KERNEL.1);
     for block in &mut two.blocks {
         block.jitter = JITTER;
     }

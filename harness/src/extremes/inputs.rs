@@ -19,7 +19,7 @@ type Number = fn(&mut Scene) -> Option<&mut f32>;
 /// first.
 const NUMBERS: &[(&str, Number)] = &[
     ("particle_spacing", |s| Some(&mut s.particle_spacing)),
-    ("average_neighbours", |s| Some(&mut s.average_neighbours)),
+    ("average_neighbours", |s| Some(s.average_neighbours.get_or_insert(32.0))),
     ("time_step", |s| Some(&mut s.time_step)),
     ("gravity", |s| s.gravity.as_mut().get_mut(1)),
     ("ambient_density", |s| Some(&mut s.ambient_density)),

@@ -4,7 +4,7 @@ use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
 use glam::Vec3;
 use millpond_core::backend::derive::support_radius;
-use millpond_core::scene::{Container, GridStructure, Scene, Viscosity, Wall, WallShape};
+use millpond_core::scene::{Container, GridStructure, PlaneModel, Scene, Viscosity, Wall, WallShape};
 use millpond_core::{Axis, SceneError, StepError};
 
 /// Number of particles of a case.
@@ -73,12 +73,18 @@ fn time_steps(dam: &Scene) -> Vec<Case> {
 fn supports(dam: &Scene) -> Vec<Case> {
     // a tenth of a neighbour on average, and below a support radius that is ten times larger
     let alone = changed(dam, |s| {
-        s.average_neighbours = 0.1;
+        s.average_neighbours = Some(0.1);
         s.model.normalize_mass = false;
         s.container = None;
     });
-    let wide = changed(dam, |s| s.average_neighbours *= 100.0);
-    let wide = changed(&wide, |s| s.model.normalize_mass = false);
+    let wide = changed(dam, |s| s.average_neighbours = Some(3200.0));
+    // it would reach over both walls in closed form
+    let wide = changed(&wide, |s| {
+        s.model.normalize_mass = false;
+        if let Some(container) = &mut s.container {
+            container.model = PlaneModel::Penalty;
+        }
+    });
     let lists = changed(&wide, |s| s.grid.structure = GridStructure::CellLists { places: 16 });
     let full = End::Refused(
         |e| matches!(e, SceneError::FirstStep(StepError::CellFull { count, capacity: 16, step: 1, .. }) if *count > 16),

@@ -1,4 +1,5 @@
 //! The result of `run`, and its report.
+use crate::gauges::Shown;
 use crate::scenes::LoadedScene;
 use crate::state_summary::{FirstLast, MeanMax};
 use crate::timing::Milliseconds;
@@ -44,6 +45,10 @@ pub struct Outcome {
     pub warnings: Vec<String>,
     /// Paths of the pictures.
     pub pictures: Vec<PathBuf>,
+    /// What the gauges showed.
+    pub gauges: Vec<Shown>,
+    /// Path of the time series of the gauges.
+    pub series: Option<PathBuf>,
 }
 
 /// Time steps of a run. On a GPU, smallest and largest are those of the steps at which its status was read.
@@ -155,6 +160,9 @@ pub fn report(named: &LoadedScene, outcome: &Outcome) -> String {
     }
     if let Some(Air { alive, refused }) = o.air {
         row("air", format!("{alive} particles, {refused} spawn requests refused"));
+    }
+    for Shown { name, unit, smallest, largest, last } in &o.gauges {
+        row(name, format!("{last} {unit} last, {smallest} to {largest}"));
     }
     row("hash", o.hash.clone());
     for warning in &o.warnings {

@@ -226,7 +226,7 @@ fn has_equation_of_state(scene: &Scene) -> Result<(), &'static str> {
 }
 
 fn average_neighbours(scene: &mut Scene, value: f32) {
-    scene.average_neighbours = value;
+    scene.average_neighbours = Some(value);
     each_fluid(scene, |fluid| fluid.average_neighbours = None);
 }
 
@@ -304,7 +304,8 @@ mod tests {
         assert!(chosen("dam-break", &[("duration", "1")]).is_err(), "it does not affect the simulation");
         assert_eq!(Axis::parse("scene.time_step=1,2").expect("both names mean the same field").name, TIME_STEP);
         assert!(chosen("dam-break", &[("density_ratio", "0.1")]).is_err(), "a ratio needs two fluids");
-        assert!(chosen("stiff-tank", &[("viscosity", "1")]).is_err(), "artificial viscosity has no dynamic viscosity");
+        let artificial = [("model.viscosity", "Artificial"), ("viscosity", "1")];
+        assert!(chosen("stiff-tank", &artificial).is_err(), "artificial viscosity has no dynamic viscosity");
         assert!(chosen("tower", &[("speed_of_sound", "10")]).is_err(), "its stiffness sets the speed of sound");
         assert!(chosen("dam-break", &[("equation_of_state", "Nobody")]).is_err());
         assert!(chosen("corrected-column", &[("equation_of_state", "Tait")]).is_err(), "it has a pressure solver");

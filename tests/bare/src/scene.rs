@@ -2,8 +2,8 @@
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     Block, Container, Correction, DensityDiffusion, DensityForm, Dimension, EquationOfState, Evaluation, Fluid,
-    Formulation, Grid, Integrator, Iteration, Kernel, NearPressure, PressureForce, PressureSolver, Scene, Shifting,
-    SurfaceTension, Viscosity, WallPressure,
+    Formulation, Grid, Integrator, Iteration, Kernel, NearPressure, PlaneModel, PressureForce, PressureSolver, Scene,
+    Shifting, SurfaceTension, Viscosity, WallPressure,
 };
 
 /// Returns a scene of a thousand particles in the corner of a box.
@@ -11,6 +11,7 @@ pub fn scene() -> Scene {
     let water = Fluid { speed_of_sound: 20.0, dynamic_viscosity: 2.0, ..Fluid::default() };
     let block = Block { size: Vec3::splat(0.5), jitter: 0.02, ..Block::default() };
     let mut scene = Scene::of(Dimension::Three, 0.05, 0.001, water, block);
+    scene.average_neighbours = Some(32.0);
     // every formula is named, so that a change of a default does not change the known bits
     scene.model = Formulation {
         integrator: Integrator::ModifiedVelocityVerlet,
@@ -51,7 +52,9 @@ pub fn scene() -> Scene {
         wall_pressure: WallPressure::Mirrored,
     };
     scene.gravity = Vec3::new(0.0, -9.81, 0.0);
-    scene.container = Some(Container { restitution: 0.5, slip: 0.9, ..Container::closed([0.0; 3], [1.0, 1.0, 0.5]) });
+    let model = PlaneModel::Penalty;
+    scene.container =
+        Some(Container { restitution: 0.5, slip: 0.9, model, ..Container::closed([0.0; 3], [1.0, 1.0, 0.5]) });
     scene.grid = Grid { cells: [8, 8, 8], ..Grid::default() };
     scene
 }

@@ -11,12 +11,13 @@ use crate::passes::group::{Group, fold};
 use crate::passes::half_stencil;
 use crate::passes::local::{own_numbers, particles};
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
-use crate::terms::beyond::{completed3, has_wall_friction, wall_push, wall_rub};
+use crate::terms::beyond::{completed3, wall_push, wall_rub};
 use crate::terms::exchange::{exchange_close, exchange_neighbour, exchange_share};
 use crate::terms::external::{external_close, weight};
 use crate::terms::neighbour::{acceleration_close, force_neighbour};
 use crate::terms::pair::{Local, density_ratio};
 use crate::terms::shifting::pressure_without_tension;
+use crate::terms::viscosity::has_friction;
 use crate::terms::wall::{EXTRAPOLATED, if_free};
 
 /// Fills the accelerations, or those without pressure where pressure is iterated.
@@ -89,7 +90,7 @@ fn close<R: Lanes>(group: &Group<'_>, a: Local<R>, acting: R, force: vec3<R>, ow
             let g = weight(m, p, u, density_ratio(m, a.deviation, a.rest_ratio)) + field;
             internal = internal + wall_push(m, p, a, acting, beyond, g);
         }
-        if has_wall_friction(m) {
+        if has_friction(m) {
             internal = internal + wall_rub(m, p, a, beyond);
         }
         internal = completed3(internal, beyond.gamma);

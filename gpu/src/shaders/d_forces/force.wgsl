@@ -46,7 +46,7 @@ fn pass_body(i: u32) {
       let g = weight(density_ratio(a.deviation, a.rest_ratio)) + field;
       internal = internal + wall_push(a, acting.pressure, beyond, g);
     }
-    if has_wall_friction() { internal = internal + wall_rub(a, beyond); }
+    if has_friction() { internal = internal + wall_rub(a, beyond); }
     internal = completed3(internal, beyond.gamma);
   }
   if m.has_velocity_exchange == 1u { internal = internal + change * exchange_close(shares); }
