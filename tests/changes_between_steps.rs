@@ -7,7 +7,7 @@ use millpond::snapshot::Snapshot;
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     AccelerationField, AdaptiveTimeStep, Adjustable, Block, Container, Dimension, Fluid, Formulation, Grid, Integrator,
-    PlaneModel, Recipe, Scene, SurfaceTension, Wind,
+    PlaneModel, Recipe, Scene, SurfaceTension, Viscosity, Wind,
 };
 use millpond_core::{OwnedMemory, Requirements, SceneError, Serial, Solver};
 use millpond_gpu::{GpuError, GpuSolver, Mode};
@@ -152,16 +152,18 @@ fn a_displacement_that_is_remembered_follows_the_time_step() {
 
 #[test]
 fn what_the_plan_left_out_is_refused_by_name_unless_it_is_live() {
-    let mut still = scene();
-    (still.gravity, still.wind) = (Vec3::ZERO, None);
-    (still.fluids[0].dynamic_viscosity, still.fluids[0].surface_tension) = (0.0, 0.0);
     let cases: [(Adjustable, OnCpu, &str); 4] = [
         (Adjustable::Gravity, |s| s.set_gravity([0.0, -1.0, 0.0]), "gravity"),
         (Adjustable::Wind, |s| s.set_wind(Some(Wind { velocity: Vec3::new(1.0, 0.0, 0.0), drag: 1.0 })), "wind"),
         (Adjustable::Viscosity, |s| s.set_viscosity(0, 1.0), "dynamic_viscosity"),
         (Adjustable::SurfaceTension, |s| s.set_surface_tension(0, 1.0), "surface_tension"),
     ];
-    for (live, change, field) in cases {
+    // the second form acts even without a viscosity of the fluid
+    let forms = [Viscosity::Mueller, Viscosity::MorrisAndArtificial];
+    for (viscosity, (live, change, field)) in forms.into_iter().flat_map(|form| cases.map(|case| (form, case))) {
+        let mut still = scene();
+        (still.gravity, still.wind, still.model.viscosity) = (Vec3::ZERO, None, viscosity);
+        (still.fluids[0].dynamic_viscosity, still.fluids[0].surface_tension) = (0.0, 0.0);
         let mut keeps = still.clone();
         keeps.adjustable.push(live).expect("room");
         let mut heaps = [memory(&still), memory(&keeps)];
@@ -177,7 +179,7 @@ fn what_the_plan_left_out_is_refused_by_name_unless_it_is_live() {
         change(&mut kept).expect("a change");
         steps(&mut bare, 5);
         steps(&mut kept, 5);
-        assert_ne!(bare.full_hash(), kept.full_hash(), "{live:?}");
+        assert_ne!(bare.full_hash(), kept.full_hash(), "{live:?}, {viscosity:?}");
     }
 }
 

@@ -4,7 +4,7 @@
 use millpond::compare::difference;
 use millpond::snapshot::Snapshot;
 use millpond_core::backend::save::VERSION;
-use millpond_core::scene::{GridStructure, Scene};
+use millpond_core::scene::{Adjustable, GridStructure, Scene};
 use millpond_core::{OwnedMemory, RestoreError, Serial, Solver};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 
@@ -70,7 +70,8 @@ fn any_number_of_times_between_backends() {
 
 #[test]
 fn what_was_changed_between_steps_comes_along() {
-    let scene = scene("dam-break-2d");
+    let mut scene = scene("dam-break-2d");
+    scene.adjustable.push(Adjustable::Viscosity).expect("room");
     let (mut first, mut second) = (memory(&scene), memory(&scene));
     let mut solver = Solver::new(&scene, first.lend()).expect("a scene");
     (0..5).for_each(|_| solver.step(&Serial).expect("a step"));

@@ -3,6 +3,7 @@ use crate::derive::Derived;
 use crate::error::SceneError;
 use crate::layout::{Materials, Model, Parameters, StepUniform};
 use crate::scene::{Adjustable, FLUIDS, Fluid, Integrator, Recovery, Scene, SurfaceTension, Viscosity, Wind};
+use crate::terms::viscosity::has_friction;
 use crate::validate::not_together;
 use glam::Vec3;
 
@@ -203,7 +204,7 @@ impl LiveScene {
                         "these use coefficients in model instead of dynamic_viscosity; use another model.viscosity";
                     return Err(not_together(choice, other, why));
                 }
-                kept(m.viscosity != 0 || viscosity == 0.0, Adjustable::Viscosity)
+                kept(has_friction(&m) || viscosity == 0.0, Adjustable::Viscosity)
             }
             Change::SurfaceTension(fluid, tension) => {
                 self.fluid("set_surface_tension", fluid)?.surface_tension = tension;

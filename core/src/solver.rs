@@ -103,7 +103,7 @@ impl<'m> Solver<'m> {
         let first_air = count.saturating_sub(scene.air_capacity()) as u32;
         let live = LiveScene::new(scene, plan.model, [count as u32, first_air]);
         let constants = live.constants(scene.derived());
-        let simd = Simd::detect();
+        let simd = Simd::of_new_solver();
         let mut solver = Solver {
             plan,
             schedule: plan.schedule(),
@@ -132,8 +132,9 @@ impl<'m> Solver<'m> {
         Ok(solver)
     }
 
-    /// Sets the SIMD level, or the fastest level of the processor if it lacks this one (default: the fastest level).
-    /// The level changes the speed of steps, and never a bit of the result.
+    /// Sets the SIMD level, or the fastest level of the processor if it lacks this one (default: the fastest level, in
+    /// builds with debug assertions AVX2 at most). The level changes the speed of steps, and never a bit of the result.
+    /// Unoptimised steps in AVX-512 need 2 MiB of stack.
     #[must_use]
     pub fn at_level(mut self, simd: Simd) -> Self {
         self.simd = simd.or_best();

@@ -4,8 +4,8 @@
 //! particles. Each test checks that its case really occurs.
 use millpond_core::backend::ListReport;
 use millpond_core::glam::Vec3;
-use millpond_core::scene::{Face, InitialParticle, Scene, Wall, WallPressure, WallShape};
-use millpond_core::{LIST_WORDS, OwnedMemory, Plan, Requirements, Simd, Solver};
+use millpond_core::scene::{Block, Dimension, Face, Fluid, InitialParticle, Scene, Wall, WallPressure, WallShape};
+use millpond_core::{LIST_WORDS, Memory, OwnedMemory, Plan, Requirements, Simd, Solver, Storage};
 
 mod support;
 use support::{Threads, dam_break, dam_break_2d, start, with_a_crowd};
@@ -53,6 +53,24 @@ fn whatever_of_them_fits() {
         assert_eq!(lists.listed, lists.groups, "with all of the memory");
         let (_, some) = run(&scene, &places, Simd::detect(), 1, places.len() * LIST_WORDS / 3, 20);
         assert!(some.listed > 0 && some.listed < some.groups, "with a third of it: {some:?}");
+    }
+}
+
+#[test]
+fn all_of_them_fit_whatever_number_of_neighbours_a_scene_asks_for() {
+    let block = Block { size: Vec3::splat(0.5), jitter: 0.3, ..Block::default() };
+    let mut scene = Scene::of(Dimension::Three, 0.05, 1e-4, Fluid::default(), block);
+    let is_full = |memory: Memory<'_>, scene: &Scene| {
+        let solver = Solver::new(scene, memory).expect("a scene");
+        let lists = solver.lists().expect("made for the first accelerations");
+        assert_eq!(lists.listed, lists.groups, "{:?} neighbours", scene.average_neighbours);
+    };
+    // a storage has room for the default number
+    let mut storage: Box<Storage<1000, 32768>> = Storage::boxed();
+    is_full(storage.lend(), &scene);
+    for neighbours in [None, Some(20.0), Some(100.0), Some(180.0)] {
+        scene.average_neighbours = neighbours;
+        is_full(OwnedMemory::of(&support::checked(&scene)).lend(), &scene);
     }
 }
 

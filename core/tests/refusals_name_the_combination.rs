@@ -359,7 +359,7 @@ fn a_literal_iteration_that_cannot_converge() {
 }
 
 #[test]
-fn every_recipe_is_one_but_for_its_second_fluid() {
+fn every_recipe_goes_with_a_block_of_fluid() {
     for &recipe in Recipe::ALL {
         assert_eq!(scene(|s| s.model = Formulation::of(recipe)), Ok(()), "{recipe:?}");
     }

@@ -91,7 +91,7 @@ pub struct Shown {
     pub name: String,
     /// Unit.
     pub unit: &'static str,
-    /// Smallest, largest and last value.
+    /// Smallest value.
     pub smallest: f32,
     /// Largest value.
     pub largest: f32,
@@ -113,12 +113,12 @@ impl<'a> Record<'a> {
         if let Some(interval) = interval.filter(|interval| !(interval.is_finite() && *interval > 0.0)) {
             return Err(Failure::Call(format!("--gauges-every must be larger than 0 s, not {interval}")));
         }
-        let missing = |gauge: &&Gauge| matches!(gauge.measures, Measures::ForceOnWall(wall) if wall as usize >= scene.walls.len());
+        let walls = scene.walls.len();
+        let missing = |gauge: &&Gauge| matches!(gauge.measures, Measures::ForceOnWall(wall) if wall as usize >= walls);
         if let Some(gauge) = gauges.iter().find(missing) {
             return Err(Failure::Call(format!(
-                "gauge {:?} measures the force on a wall that is not there: the scene has {} walls",
-                gauge.name,
-                scene.walls.len()
+                "gauge {:?} measures the force on a wall that is not there: the scene has {walls} walls",
+                gauge.name
             )));
         }
         let every = match (span, interval) {
@@ -139,8 +139,10 @@ impl<'a> Record<'a> {
     pub fn sample(&mut self, passed: f64, time: f64, solver: &mut Solver<'_>) {
         let values = self.gauges.iter().flat_map(|gauge| gauge.measures.read(self.scene, solver));
         self.rows.push((time, values.collect()));
-        while self.next <= passed {
-            self.next += self.every.max(f64::MIN_POSITIVE).max(passed * f64::EPSILON * 2.0);
+        self.next = ((passed / self.every).floor() + 1.0) * self.every;
+        // an interval too short for f64, or a run without length
+        if self.next.is_nan() || self.next <= passed {
+            self.next = passed.next_up();
         }
     }
 
@@ -179,7 +181,7 @@ impl<'a> Record<'a> {
         let mut text = format!("\"time, s\",{}\n", titles.collect::<Vec<_>>().join(","));
         for (time, values) in &self.rows {
             let values: Vec<String> = values.iter().map(f32::to_string).collect();
-            text += &format!("{time},{}\n", values.join(","));
+            text += &format!("{time:.9},{}\n", values.join(","));
         }
         let path = folder.join("gauges.csv");
         write_text(&path, &text)?;

@@ -210,6 +210,52 @@ fn bad_scene_files_are_named_with_line_and_field() {
 }
 
 #[test]
+fn a_recipe_can_be_set_and_is_named() {
+    let recipe = |set: &[&str]| {
+        let call = [&["plan", "dam-break-2d", "--steps", "0", "--json"][..], set].concat();
+        json(&call)["formulas"].clone()
+    };
+    assert_eq!(recipe(&[])["recipe"], "FreeSurface");
+    let set = recipe(&["--set", "recipe=Impact", "--set", "model.xsph=0.1"]);
+    assert_eq!((&set["recipe"], &set["differs_in"][0]), (&"Impact".into(), &"xsph".into()));
+    let folder = tempfile::tempdir().expect("a folder");
+    let unknown = millpond(folder.path(), &["plan", "dam-break-2d", "--set", "recipe=Soup"]);
+    let err = String::from_utf8_lossy(&unknown.stderr);
+    assert!(unknown.status.code() == Some(2) && err.contains("Soup") && err.contains("FreeSurface"), "{err}");
+}
+
+#[test]
+fn gauges_show_the_same_on_both_backends() {
+    let folder = tempfile::tempdir().expect("a folder");
+    // at the wall where the water stands
+    let here = include_str!("../scenes/dam-break-2d.ron")
+        .replace("Pressure((4.0,", "Pressure((0.0,")
+        .replace("Level((2.0,", "Level((0.5,")
+        .replace("ForceOnFace(Right)", "ForceOnFace(Left)");
+    std::fs::write(folder.path().join("here.ron"), here).expect("it can be written");
+    let gauges = |backend: &str, every: &str| {
+        let steps = ["run", "here.ron", "--particles", "800", "--steps", "12", "--gauges-every", every];
+        let output = millpond(folder.path(), &[&steps[..], &["--out", backend, "--backend", backend]].concat());
+        let series = std::fs::read_to_string(folder.path().join(backend).join("gauges.csv")).unwrap_or_default();
+        (output.status.code(), series, String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    let (status, on_cpu, err) = gauges("cpu", "0.002");
+    assert_eq!(status, Some(0), "{err}");
+    // a title, the start, and every fourth of 12 steps of 0.5 ms
+    assert_eq!(on_cpu.lines().count(), 5, "{on_cpu}");
+    let last: Vec<f32> = on_cpu.lines().last().expect("lines").split(',').map(|x| x.parse().expect("x")).collect();
+    // 800 particles are half as high as the 2 m of the scene; pressure has only begun to rise from the floor
+    assert!(last[1] > 100.0 && (last[2] - 1.0).abs() < 0.05 && last[3] < -50.0, "{last:?}");
+    let (_, often, _) = gauges("cpu", "1e-30");
+    assert_eq!(often.lines().count(), 14, "every step, and none twice: {often}");
+    assert_eq!(gauges("cpu", "0").0, Some(2));
+    match gauges("gpu", "0.002") {
+        (Some(3), _, err) if std::env::var_os("MILLPOND_REQUIRE_GPU").is_none_or(|v| v != "1") => eprintln!("{err}"),
+        (status, on_gpu, err) => assert_eq!((status, on_gpu), (Some(0), on_cpu), "{err}"),
+    }
+}
+
+#[test]
 fn a_cell_past_its_capacity_is_refused() {
     let folder = tempfile::tempdir().expect("a folder");
     let lists = r#"grid.structure={"CellLists":{"places":2}}"#;

@@ -47,6 +47,13 @@ impl Simd {
         }
     }
 
+    /// Returns the level of a new solver: the fastest level of this processor, but AVX2 at most in builds with debug
+    /// assertions. Without optimisation every temporary vector has a place of its own on the stack, and one pass in
+    /// AVX-512 would need more than the 1 MiB that the main thread has on Windows.
+    pub(crate) fn of_new_solver() -> Simd {
+        if cfg!(debug_assertions) { Simd::Avx2.or_best() } else { Simd::detect() }
+    }
+
     /// Returns the levels that this processor has, from slowest to fastest.
     pub fn available() -> impl Iterator<Item = Simd> {
         let best = Simd::detect();

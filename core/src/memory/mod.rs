@@ -9,6 +9,7 @@ mod views;
 pub use lend::Memory;
 #[cfg(feature = "alloc")]
 pub use owned::OwnedMemory;
+pub(crate) use requirements::MOST_LISTED;
 pub use requirements::{Counts, LIST_WORDS, Requirements};
 pub use storage::{Arena, Storage};
 pub(crate) use views::Sorting;

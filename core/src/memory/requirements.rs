@@ -8,16 +8,18 @@ use crate::validate::Checked;
 /// each of the others. A group whose list does not fit searches its cells in each pass.
 pub const LIST_WORDS: usize = 21;
 
+/// Largest number of neighbours that are listed for a particle.
+pub(crate) const MOST_LISTED: usize = 240;
+
 /// Places in the lists per neighbour. Lists are padded, and a fluid may be compressed.
 const PLACES_PER_NEIGHBOUR: f32 = 1.25;
 
-/// Returns the words of the lists per particle that hold this number of neighbours.
-fn list_words(average_neighbours: f32) -> usize {
-    LIST_WORDS.max(1 + (average_neighbours * PLACES_PER_NEIGHBOUR / 2.0) as usize)
+/// Returns the words of the lists per particle that hold this number of neighbours, or as many as a list can have.
+pub(super) const fn list_words(average_neighbours: f32) -> usize {
+    let places = (average_neighbours * PLACES_PER_NEIGHBOUR) as usize;
+    let words = 1 + if places < MOST_LISTED { places / 2 } else { MOST_LISTED / 2 };
+    if words < LIST_WORDS { LIST_WORDS } else { words }
 }
-
-/// Words of the lists per particle in a [`Storage`](super::Storage): enough for 58 neighbours, the default in 3D.
-pub(super) const STORAGE_LIST_WORDS: usize = 37;
 
 /// Alignment of arrays in an arena, in words: a cache line.
 pub(super) const LINE_WORDS: usize = 16;
@@ -100,7 +102,7 @@ impl Requirements {
             Unit::Particle => particles,
             Unit::Cell => cells,
             Unit::CellPlace => cells.saturating_mul(self.model.cell_places as usize),
-            Unit::NeighbourWord => particles.saturating_mul(list_words.max(LIST_WORDS)),
+            Unit::NeighbourWord => particles.saturating_mul(list_words),
             Unit::SpringEnd => spring_ends,
             Unit::SpawnRequest => particles.saturating_add(air),
             Unit::FieldPoint => field_nodes,

@@ -4,9 +4,10 @@
 //! of the binary. The solver itself only receives slices, wherever they come from, and is therefore compiled once for
 //! all capacities.
 use super::lend::Memory;
-use super::requirements::{Requirements, STORAGE_LIST_WORDS};
+use super::requirements::{Requirements, list_words};
 use crate::layout::{TABLE_WORDS, f32x4};
 use crate::plan::arrays::Array;
+use crate::scene::Dimension;
 
 /// Memory for `N` particles and `CELLS` cells, with `PLACES` places per cell for cell lists (0, the default, for the
 /// index sort). It contains by name the arrays that a scene with the default formulas needs, in a container or without
@@ -29,13 +30,16 @@ pub struct Storage<const N: usize, const CELLS: usize, const PLACES: usize = 0> 
     density_pressure: [[f32x4; N]; 2],
     id: [[u32; N]; 2],
     slot_of_id: [[u32; N]; 2],
-    neighbours: [[u32; STORAGE_LIST_WORDS]; N],
+    neighbours: [[u32; USUAL_LIST_WORDS]; N],
     grid_cells: [[u32; PLACES]; CELLS],
     grid_cell_counters: [u32; CELLS],
     cell_start: [u32; CELLS],
     previous_density_pressure: [f32x4; N],
     kernel_tables: [f32; TABLE_WORDS],
 }
+
+/// Words of the neighbour lists per particle: enough for the default number of neighbours, in 2D and in 3D.
+const USUAL_LIST_WORDS: usize = list_words(Dimension::Three.average_neighbours());
 
 /// The arrays that a storage contains by name.
 const NAMED: [Array; 12] = [
@@ -67,7 +71,7 @@ impl<const N: usize, const CELLS: usize, const PLACES: usize> Storage<N, CELLS, 
             density_pressure: [[[0.0; 4]; N]; 2],
             id: [[0; N]; 2],
             slot_of_id: [[0; N]; 2],
-            neighbours: [[0; STORAGE_LIST_WORDS]; N],
+            neighbours: [[0; USUAL_LIST_WORDS]; N],
             grid_cells: [[0; PLACES]; CELLS],
             grid_cell_counters: [0; CELLS],
             cell_start: [0; CELLS],

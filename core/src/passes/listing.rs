@@ -12,13 +12,14 @@ use super::candidates::Candidates;
 use super::context::Setup;
 use super::group::{Group, Surroundings};
 use super::lanes::is_wall;
-use super::lists::{Filling, GROUP, Lists, MOST_LISTED, ROOM, groups, share};
+use super::lists::{Filling, GROUP, Lists, ROOM, groups, share};
 use super::local::Particles;
 use super::pairs::present;
 use crate::arithmetic::lanes::Lanes;
 use crate::executor::{AnyExecutor, Jobs, parts, shares, take};
 use crate::grid::{Cells, Stencil, cell_of};
 use crate::layout::f32x4;
+use crate::memory::MOST_LISTED;
 use crate::terms::wall::MIRRORED;
 use core::ops::Range;
 

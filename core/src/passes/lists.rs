@@ -10,13 +10,11 @@
 //! slots of all windows are stored in front of the codes of the first group that uses these windows, and later groups
 //! refer to them as well. A group whose lists do not fit is not listed: it searches its cells in every pass.
 use crate::arithmetic::codes::{MOST_LANES, WINDOW_BITS, WINDOWS, Windows};
+use crate::memory::MOST_LISTED;
 use core::ops::Range;
 
 /// Number of particles in a group; they lie in consecutive slots.
 pub(crate) const GROUP: usize = 4;
-
-/// Largest number of neighbours that are listed for a particle.
-pub(crate) const MOST_LISTED: usize = 240;
 
 /// Number of codes in a chunk, by which the lists of a group grow: four for each particle of the group, which is as
 /// many codes as the widest lanes take at once.

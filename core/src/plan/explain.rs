@@ -65,10 +65,8 @@ impl Plan {
                 add(slope, !corrects);
                 add(choice.wall_pressure.terms(), m.wall_particles != 0);
                 add(&choice.near_pressure.terms()[choice.near_pressure.terms().len().min(1)..], m.near_pressure != 0);
-                let viscosity = Viscosity::ALL.iter().find(|form| **form as u32 == m.viscosity);
-                for form in viscosity.iter().filter(|form| ***form != Viscosity::VelocityExchange) {
-                    add(form.terms(), true);
-                }
+                let form = Viscosity::ALL.iter().find(|form| **form as u32 == m.viscosity);
+                add(form.map_or(&[], |form| form.terms()), form != Some(&Viscosity::VelocityExchange));
                 add(choice.surface_tension.terms(), m.tension != 0 && !m.has_curvature());
                 add(&["wall_push"], m.has_closed_walls == 1 && !corrects);
                 add(&["wall_rub"], m.has_closed_walls == 1 && has_friction(m));

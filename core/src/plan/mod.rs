@@ -40,12 +40,12 @@ impl Plan {
         let everything = Plan::everything(scene);
         let choice = &scene.model;
         let shears = choice.viscosity == Viscosity::VelocityExchange && choice.velocity_exchange != 0.0;
-        let viscous = scene.blocks.iter().any(|b| b.dynamic_viscosity.is_some_and(|mu| mu != 0.0))
+        let live = |term: Adjustable| scene.adjustable.contains(&term);
+        let rubs = live(Adjustable::Viscosity)
+            || scene.fluids.iter().any(|fluid| fluid.dynamic_viscosity != 0.0)
+            || scene.blocks.iter().any(|b| b.dynamic_viscosity.is_some_and(|mu| mu != 0.0))
             || scene.walls.iter().any(|w| w.dynamic_viscosity.is_some_and(|mu| mu != 0.0))
             || scene.container.iter().any(|c| c.dynamic_viscosity.is_some_and(|mu| mu != 0.0));
-        let rubs = viscous
-            || scene.fluids.iter().any(|fluid| fluid.dynamic_viscosity != 0.0)
-            || scene.adjustable.contains(&Adjustable::Viscosity);
         let damps = choice.alpha != 0.0 || choice.beta != 0.0;
         let viscosity = match choice.viscosity {
             Viscosity::Artificial if damps => viscosity::ARTIFICIAL,
@@ -60,7 +60,6 @@ impl Plan {
             && scene.fluids.iter().any(|fluid| fluid.near_stiffness != Some(0.0));
         let pulls = scene.fluids.iter().any(|fluid| fluid.surface_tension != 0.0);
         let several = scene.fluids.len() > 1;
-        let live = |term: Adjustable| scene.adjustable.contains(&term);
         let pulls = pulls || live(Adjustable::SurfaceTension);
         let blocks_differ = scene.blocks.iter().any(|b| b.dynamic_viscosity.is_some());
         Plan {

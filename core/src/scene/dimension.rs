@@ -24,7 +24,7 @@ impl Dimension {
     /// smoothing length of 1.6 spacings in 2D and of 1.2 in 3D. With these a fluid on a lattice stays at rest under its
     /// own weight.
     #[must_use]
-    pub fn average_neighbours(self) -> f32 {
+    pub const fn average_neighbours(self) -> f32 {
         match self {
             Dimension::Two => 32.0,
             Dimension::Three => 58.0,

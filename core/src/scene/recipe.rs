@@ -6,7 +6,7 @@ use super::choice::{
 use super::model::{Correction, Formulation};
 
 /// A kind of flow, or a source, with the formulas for it. [`Formulation::of`] returns them. The recipes for kinds of
-/// flow are those that did best in `millpond check evidence`.
+/// flow did best in the tables of `docs/evidence.md`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Recipe {
@@ -29,36 +29,29 @@ pub enum Recipe {
     Hinsch,
 }
 
-/// The terms that every recipe for a kind of flow shares, and those of [`Recipe::FreeSurface`].
-const FREE_SURFACE: Formulation = Formulation {
+/// The formulas of [`Recipe::Pirovano`]. Every field is given here; the other recipes say in what they differ.
+const PIROVANO: Formulation = Formulation {
     integrator: Integrator::ModifiedVelocityVerlet,
     reevaluate: false,
-    // particles do not pair with it, and with 32 neighbours a lattice keeps its rows under its own weight
-    density_kernel: Kernel::WendlandC2,
-    pressure_kernel: Kernel::WendlandC2,
-    viscosity_kernel: Kernel::WendlandC2,
+    density_kernel: Kernel::Poly6,
+    pressure_kernel: Kernel::Spiky,
+    viscosity_kernel: Kernel::Viscosity,
     evaluation: Evaluation::Direct,
-    // a sum would be too low at the surface, and boils at walls in closed form
-    density: DensityForm::Continuity,
-    // without it the pressure is rough; this form leaves a fluid at rest alone
-    density_diffusion: DensityDiffusion::Hydrostatic,
+    density: DensityForm::Summation,
+    density_diffusion: DensityDiffusion::Off,
     diffusion: 0.1,
     initialize_hydrostatic: false,
-    // the lattice starts at the rest density
-    normalize_mass: true,
+    normalize_mass: false,
     pressure_solver: PressureSolver::EquationOfState,
     equation_of_state: EquationOfState::Tait,
     tait_exponent: 7,
     correction: Correction { iteration: Iteration::Relaxed, iterations: 20, tolerance: 0.001 },
-    // under it a surface tears, and particles clump
-    negative_pressure: false,
-    // the whole gradient, which conserves momentum
-    pressure_force: PressureForce::Monaghan,
-    near_pressure: NearPressure::Off,
-    // the friction of the fluid, and a damping of noise, a fifth of Monaghan's 0.1
-    viscosity: Viscosity::MorrisAndArtificial,
-    alpha: 0.01,
-    beta: 0.0,
+    negative_pressure: true,
+    pressure_force: PressureForce::Mueller,
+    near_pressure: NearPressure::DensityProportional,
+    viscosity: Viscosity::Mueller,
+    alpha: 1.0,
+    beta: 2.0,
     velocity_exchange: 0.0,
     radial_exchange: 0.0,
     xsph: 0.0,
@@ -73,8 +66,33 @@ const FREE_SURFACE: Formulation = Formulation {
     internal_energy: false,
     heat_gain: 1.0,
     variable_support: None,
+    wall_pressure: WallPressure::Mirrored,
+};
+
+/// The formulas of [`Recipe::FreeSurface`], from which the other kinds of flow start.
+const FREE_SURFACE: Formulation = Formulation {
+    // particles do not pair with it
+    density_kernel: Kernel::WendlandC2,
+    pressure_kernel: Kernel::WendlandC2,
+    viscosity_kernel: Kernel::WendlandC2,
+    // a sum would be too low at the surface, and boils at walls in closed form
+    density: DensityForm::Continuity,
+    // without it the pressure is rough; this form leaves a fluid at rest alone
+    density_diffusion: DensityDiffusion::Hydrostatic,
+    // the lattice starts at the rest density
+    normalize_mass: true,
+    // under negative pressure a surface tears, and particles clump
+    negative_pressure: false,
+    // the whole gradient, which conserves momentum
+    pressure_force: PressureForce::Monaghan,
+    near_pressure: NearPressure::Off,
+    // the friction of the fluid, and a damping of noise: with the support radius, a fifth of Monaghan's 0.1
+    viscosity: Viscosity::MorrisAndArtificial,
+    alpha: 0.01,
+    beta: 0.0,
     // the pressure of the fluid, continued into the wall by its weight
     wall_pressure: WallPressure::Extrapolated,
+    ..PIROVANO
 };
 
 impl Recipe {
@@ -144,22 +162,7 @@ impl Recipe {
             },
             // its own friction damps all noise
             Recipe::Viscous => Formulation { viscosity: Viscosity::Morris, ..FREE_SURFACE },
-            Recipe::Pirovano => Formulation {
-                density_kernel: Kernel::Poly6,
-                pressure_kernel: Kernel::Spiky,
-                viscosity_kernel: Kernel::Viscosity,
-                density: DensityForm::Summation,
-                density_diffusion: DensityDiffusion::Off,
-                normalize_mass: false,
-                negative_pressure: true,
-                pressure_force: PressureForce::Mueller,
-                near_pressure: NearPressure::DensityProportional,
-                viscosity: Viscosity::Mueller,
-                alpha: 1.0,
-                beta: 2.0,
-                wall_pressure: WallPressure::Mirrored,
-                ..FREE_SURFACE
-            },
+            Recipe::Pirovano => PIROVANO,
             Recipe::Hinsch => Formulation {
                 integrator: Integrator::SemiImplicitEuler,
                 density_kernel: Kernel::CubicSpline,
@@ -168,7 +171,7 @@ impl Recipe {
                 near_pressure: NearPressure::Off,
                 pressure_force: PressureForce::Monaghan,
                 viscosity: Viscosity::MonaghanGingold,
-                ..Recipe::Pirovano.formulation()
+                ..PIROVANO
             },
         }
     }

@@ -107,6 +107,7 @@ pub fn viscosity_pair<R: Real>(
     let r2 = length2(x_ab);
     let inverse_square = div(one, r2 + p.softening);
     let slope = slope_scaled(m, kernel, scale) * p.viscosity_slope_constant;
+    // in one place for two forms, since unoptimised builds give every place a part of the stack
     let friction = viscosity_morris(viscosity, volume_b, root(r2), slope, inverse_square);
     if m.viscosity == MORRIS {
         return v_ab * friction;

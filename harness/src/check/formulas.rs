@@ -1,48 +1,11 @@
-//! Choices of formulas for the studies. Every field is given here, so that studies do not change when defaults do.
+//! Choices of formulas for the studies. They rest on those of a source, so that studies do not change when defaults do.
 use millpond_core::scene::{
-    Correction, DensityDiffusion, DensityForm, EquationOfState, Evaluation, Formulation, Integrator, Iteration, Kernel,
-    NearPressure, PressureForce, PressureSolver, Shifting, SurfaceTension, Viscosity, WallPressure,
+    DensityDiffusion, DensityForm, Formulation, Kernel, NearPressure, PressureForce, Recipe, Shifting, Viscosity,
+    WallPressure,
 };
 
 /// Pirovano's choices for a single fluid.
-pub(super) const PIROVANO: Formulation = Formulation {
-    integrator: Integrator::ModifiedVelocityVerlet,
-    reevaluate: false,
-    density_kernel: Kernel::Poly6,
-    pressure_kernel: Kernel::Spiky,
-    viscosity_kernel: Kernel::Viscosity,
-    evaluation: Evaluation::Direct,
-    density: DensityForm::Summation,
-    density_diffusion: DensityDiffusion::Off,
-    diffusion: 0.1,
-    initialize_hydrostatic: false,
-    normalize_mass: false,
-    pressure_solver: PressureSolver::EquationOfState,
-    equation_of_state: EquationOfState::Tait,
-    tait_exponent: 7,
-    correction: Correction { iteration: Iteration::Relaxed, iterations: 20, tolerance: 0.001 },
-    negative_pressure: true,
-    pressure_force: PressureForce::Mueller,
-    near_pressure: NearPressure::DensityProportional,
-    viscosity: Viscosity::Mueller,
-    alpha: 1.0,
-    beta: 2.0,
-    velocity_exchange: 0.0,
-    radial_exchange: 0.0,
-    xsph: 0.0,
-    shifting: Shifting::Off,
-    shifting_coefficient: 1.0,
-    shifting_speed: None,
-    shift_across_interfaces: false,
-    tensile_control: false,
-    surface_tension: SurfaceTension::Off,
-    surface_threshold: 0.1,
-    surface_normals: false,
-    internal_energy: false,
-    heat_gain: 1.0,
-    variable_support: None,
-    wall_pressure: WallPressure::Mirrored,
-};
+pub(super) const PIROVANO: Formulation = Formulation::of(Recipe::Pirovano);
 
 /// Wendland's C2 kernel for all terms, the symmetric pressure gradient of Monaghan 1992, the viscosity of Morris et al.
 /// 1997, and no near pressure.

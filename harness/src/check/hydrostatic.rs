@@ -62,8 +62,8 @@ const WHOLE: [Rules; 2] = [FORMS[1], FORMS[2]];
 /// Required limits of the whole form: every layer, those at the floor and at the surface too, within 2 % of the
 /// pressure at the floor; the first layer within 0.05 spacings of half a spacing; the force on the walls within 0.2 %
 /// of the weight of the water.
-pub(super) const FIRST_LAYER: f64 = 0.05;
-pub(super) const FORCE: f64 = 0.002;
+const FIRST_LAYER: f64 = 0.05;
+const FORCE: f64 = 0.002;
 
 /// Results of a run. Pressures are over that at the floor.
 pub(super) struct Settled {
@@ -72,9 +72,9 @@ pub(super) struct Settled {
     /// Largest error of any layer.
     pub(super) every: f64,
     /// Height of the lowest layer, spacings.
-    pub(super) first: f64,
+    first: f64,
     /// Vertical force on the walls over the weight of the water, minus one.
-    pub(super) force: f64,
+    force: f64,
     /// Loss of mean height, as a share of the mean height.
     sunk: f64,
 }

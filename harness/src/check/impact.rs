@@ -139,6 +139,11 @@ fn scene(across: f32, form: &Form) -> Scene {
     scene
 }
 
+/// Returns `sqrt(H / g)`, s.
+pub(super) fn unit_of_time() -> f64 {
+    f64::from(DEPTH / GRAVITY).sqrt()
+}
+
 /// Returns where the tank ends, m. Walls of particles are whole spacings long.
 fn end_of_tank(spacing: f32, walls: Enclosure) -> f32 {
     if matches!(walls, Enclosure::Particles(_)) { (TANK / spacing).round() * spacing } else { TANK }
@@ -150,7 +155,7 @@ pub(super) fn fall(context: &Context, across: f32, form: &Form) -> Result<(Vec<S
     let scene = checked(NAME, &scene)?;
     let mut heap = OwnedMemory::of(&scene);
     let mut solver = start_with(NAME, &scene, scene.initial_particles().collect(), &mut heap)?;
-    let time = f64::from(DEPTH / GRAVITY).sqrt();
+    let time = unit_of_time();
     let wall = end_of_tank(scene.particle_spacing, form.walls);
     let mut samples = vec![Vec::new(); SENSORS.len()];
     step(NAME, context, &mut solver, steps_to(&scene, END * time), STEPS_PER_SAMPLE, |solver| {

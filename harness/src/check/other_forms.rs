@@ -37,6 +37,7 @@ const SPACING: f32 = 0.02;
 const QUICK_SPACING: f32 = 0.04;
 const GAS: f64 = 0.02;
 const GAS_TIME: f64 = 2.0;
+const LAYERS: f32 = 10.0;
 const QUICK_GAS: f64 = GAS * (QUICK_SPACING / SPACING) as f64;
 
 /// Formulas that are tried on a case, and reported.
@@ -53,8 +54,14 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
             gas_limit,
         ),
     ];
+    let notes = if context.quick { Vec::new() } else { vec![reported(context)] };
+    Ok(Outcome::new(NAME, figures, notes))
+}
+
+/// Runs the formulas that have no limit. Returns the table of their errors.
+fn reported(context: &Context) -> String {
     let mut lines = Vec::new();
-    for (name, case, form) in trials().into_iter().take(if context.quick { 0 } else { usize::MAX }) {
+    for (name, case, form) in trials() {
         let result = match case.error_of(context, &form) {
             Ok(error) if error.is_nan() => "no result".into(),
             Ok(error) if case.limit < 1.0 => format!("{:.2} %", error * 100.0),
@@ -63,8 +70,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         };
         lines.push([name.to_owned(), case.name.to_owned(), case.error.to_owned(), result]);
     }
-    let rows = table(["formula", "case", "error", "result"], lines);
-    Ok(Outcome::new(NAME, figures, if context.quick { Vec::new() } else { vec![rows] }))
+    table(["formula", "case", "error", "result"], lines)
 }
 
 /// Returns the formulas that are reported.
@@ -171,9 +177,9 @@ fn gas(context: &Context) -> Result<f64, Failure> {
     // the mass of a metre of depth is 0.4 kg, of a column 1 kg/m2: the density at the floor is k / (1 - exp(-k H))
     let k = f64::from(GRAVITY / (sound * sound));
     let floor = k / (1.0 - (-k).exp());
-    let mut layers = vec![(0.0, 0.0, 0.0); 10];
+    let mut layers = [(0.0, 0.0, 0.0); LAYERS as usize];
     for p in fluid(&solver) {
-        if let Some((height, density, count)) = layers.get_mut((p.position.y * 10.0) as usize) {
+        if let Some((height, density, count)) = layers.get_mut((p.position.y * LAYERS) as usize) {
             *height += f64::from(p.position.y);
             *density += f64::from(p.density);
             *count += 1.0;

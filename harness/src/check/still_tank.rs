@@ -53,16 +53,16 @@ pub(super) const MINUTE: f64 = 60.0;
 /// Required limits after a minute: rms speed over that of a long wave, and error of every layer over the pressure at
 /// the floor.
 pub(super) const STILL_SPEED: f64 = 0.002;
-pub(super) const STILL_PROFILE: f64 = 0.02;
+const STILL_PROFILE: f64 = 0.02;
 
 /// Results of a run.
 pub(super) struct Rest {
     /// Largest rms speed at the end of the run, over the speed of a long wave.
     pub(super) speed: f64,
     /// Largest error of a layer in that time, over the pressure at the floor.
-    pub(super) profile: f64,
+    profile: f64,
     /// Particles that are no longer in the tank.
-    pub(super) lost: usize,
+    lost: usize,
     /// Loss of mean height, in spacings.
     sunk: f64,
 }
