@@ -44,7 +44,7 @@ fn runner(target: &Path) -> PathBuf {
 
 #[test]
 fn of_first_lines_example_and_doctests_without_optimisation() {
-    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("small-stack");
+    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("unoptimised");
     std::fs::create_dir_all(&target).expect("a folder");
     let runner = runner(&target);
     let host = done(Command::new(env!("CARGO")).arg("-vV"));

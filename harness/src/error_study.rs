@@ -82,8 +82,8 @@ const FULL: Ladder = Ladder { spacings: [0.025, 0.0125, 0.00625], courant: [0.4,
 /// Coarse and short runs, for `--quick` and the showcase.
 pub const QUICK: Ladder = Ladder { spacings: [0.05, 0.025, 0.0125], courant: [0.4, 0.2], seconds: 1.0 };
 
-/// Steps between two samples of the mean profile, which is taken over the second half of a run. The column starts at
-/// its rest density and oscillates for long, so a single state would depend on the phase of the sound wave.
+/// Steps between two samples of the mean profile, which is taken over the second half of a run. The column still
+/// oscillates a little, so a single state would depend on the phase of the sound wave.
 const STEPS_PER_SAMPLE: u64 = 5;
 
 /// Runs `error`. Returns false if a run failed.

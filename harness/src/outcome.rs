@@ -89,9 +89,14 @@ fn short(value: f64) -> String {
 
 /// Formats a Markdown table from a row of titles and rows of the same length.
 pub(crate) fn table<const N: usize>(titles: [&str; N], rows: impl IntoIterator<Item = [String; N]>) -> String {
-    let mut out = format!("| {} |\n| {} |\n", titles.join(" | "), ["---"; N].join(" | "));
+    table_of(&titles, rows)
+}
+
+/// Formats a Markdown table whose number of columns is not known in advance.
+pub(crate) fn table_of(titles: &[&str], rows: impl IntoIterator<Item = impl AsRef<[String]>>) -> String {
+    let mut out = format!("| {} |\n| {} |\n", titles.join(" | "), vec!["---"; titles.len()].join(" | "));
     for row in rows {
-        out += &format!("| {} |\n", row.join(" | "));
+        out += &format!("| {} |\n", row.as_ref().join(" | "));
     }
     out
 }

@@ -98,8 +98,8 @@ pub struct PlanTimes {
     pub everything: f64,
 }
 
-/// Places per cell assumed for the cell lists of a scene that uses the index sort: twice the default number of
-/// neighbours.
+/// Places per cell assumed for the cell lists of a scene that uses the index sort: a little more than the
+/// default number of neighbours in 3D.
 pub(crate) const USUAL_PLACES: u32 = 64;
 
 /// Runs `plan`.

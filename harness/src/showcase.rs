@@ -1,4 +1,4 @@
-//! The showcase, which runs if no command is given: compare, run, plan and error study in about a minute.
+//! The showcase, which runs if no command is given: compare, run, plan and error study in a few minutes.
 use crate::arguments::BackendName;
 use crate::compare::{self, Paths, compare};
 use crate::error_study::{self, CASE, QUICK};

@@ -5,10 +5,10 @@ mod closed_walls;
 mod fluids;
 mod formulas;
 mod plainest;
-mod scenes;
 mod surroundings;
 mod time;
 
+use millpond::check::matrix::scenes;
 use millpond_core::scene::Scene;
 pub use plainest::plainest;
 pub use scenes::base;

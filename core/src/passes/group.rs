@@ -38,7 +38,7 @@ pub(crate) struct Group<'a> {
 /// Sums the contributions of all neighbours of a group. Each receiver has four sums. Each sum is added up in the order
 /// of the receiver's neighbours, and the result is returned in all lanes of the receiver.
 ///
-/// Lanes that hold no pair hold the receiver itself as its own neighbour, and are masked to zero. With `adds nothing to
+/// Lanes that hold no pair hold the receiver itself as its own neighbour, and are masked to zero. With `is zero with
 /// itself` the caller states that the contribution of a particle to itself is zero, so no mask is needed.
 ///
 /// This is a macro because a closure cannot be forced to be inlined into its caller and compiled at the caller's SIMD

@@ -24,8 +24,9 @@ pub struct Fluid {
     /// Number of particles inside the support radius of this fluid, 0.001 to 2^28 - 1 (default `None`: that of the
     /// scene). All fluids of a scene share the smallest of their support radii (Pirovano, section 3.3).
     pub average_neighbours: Option<f32>,
-    /// Constant B of Tait's equation, Pa, larger than 0 (Hinsch's stiffness k; default `None`: `rho0 c0^2 / 7`, Roy's
-    /// constant, corrected). If it is given, the speed of sound is `sqrt(7 B / rho0)` and `speed_of_sound` is ignored.
+    /// Constant B of Tait's equation, Pa, larger than 0 (Hinsch's stiffness k; default `None`: `rho0 c0^2 / gamma`,
+    /// Roy's constant, corrected; gamma is [`tait_exponent`](super::Formulation::tait_exponent)). If it is given, the
+    /// speed of sound is `sqrt(gamma B / rho0)` and `speed_of_sound` is ignored.
     /// Give it instead of a speed of sound to reproduce a simulation that is specified by this constant.
     pub stiffness: Option<f32>,
     /// Dynamic viscosity, Pa s, 0 or more (default 0). Every form of [`Viscosity`](super::Viscosity) uses it except

@@ -208,7 +208,7 @@ impl Scene {
         (0..self.dimension.count()).filter(move |&axis| axes[axis])
     }
 
-    /// Returns whether this face of the container has a penalty plane. It has none if the scene leaves it open, if its
+    /// Returns whether this face of the container has a plane. It has none if the scene leaves it open, if its
     /// axis is periodic, or if it is perpendicular to z in 2D.
     pub(crate) fn is_closed(&self, container: &Container, face: Face) -> bool {
         let axis = face.axis();

@@ -89,14 +89,14 @@ formulation! {
         /// Near pressure, which keeps particles from pairing (default off).
         pub near_pressure: NearPressure,
         /// Form of the viscosity (default that of Morris et al. 1997, and a little artificial viscosity). Its
-        /// coefficient is [`Fluid::dynamic_viscosity`](super::Fluid::dynamic_viscosity) or, for two of the forms, one
-        /// of the next fields.
+        /// coefficient is [`Fluid::dynamic_viscosity`](super::Fluid::dynamic_viscosity); `Artificial` and
+        /// `VelocityExchange` use the next fields instead, and `MorrisAndArtificial` uses `alpha` and `beta` too.
         pub viscosity: Viscosity,
-        /// Linear coefficient of [`Viscosity::Artificial`], 0 or more (default 0.01). The formula uses the support
-        /// radius where Monaghan 1992 uses the smoothing length, half of it. Therefore the same alpha gives twice his
-        /// viscosity.
+        /// Linear coefficient of [`Viscosity::Artificial`] and of the artificial part of
+        /// [`Viscosity::MorrisAndArtificial`], 0 or more (default 0.01). The formula uses the support radius where
+        /// Monaghan 1992 uses the smoothing length, half of it. Therefore the same alpha gives twice his viscosity.
         pub alpha: f32,
-        /// Quadratic coefficient of [`Viscosity::Artificial`], 0 or more (default 0).
+        /// Quadratic coefficient of the same two, 0 or more (default 0).
         pub beta: f32,
         /// Coefficient of [`Viscosity::VelocityExchange`] (Gourlay), 0 to 1 (default 0): the share of the difference
         /// between two velocities that the two particles exchange in a step at distance 0. If the shares of all

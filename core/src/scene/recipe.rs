@@ -6,7 +6,7 @@ use super::choice::{
 use super::model::{Correction, Formulation};
 
 /// A kind of flow, or a source, with the formulas for it. [`Formulation::of`] returns them. The recipes for kinds of
-/// flow did best in the tables of `docs/evidence.md`.
+/// flow did best in the tables of `docs/evidence.md` (`Drops` has no table).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Recipe {

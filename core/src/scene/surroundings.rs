@@ -7,8 +7,8 @@ use heapless::Vec;
 pub const WALLS: usize = 8;
 
 /// A wall of fixed particles. They are neighbours of the fluid particles in every sum, so the wall exerts pressure and
-/// viscous drag. It has two layers with mirrored pressure (Hinsch 2024, section 6.3) and three as dynamic boundary
-/// particles (Pirovano, section 3.5.3), or more if the support radius reaches further.
+/// viscous drag. It has as many layers as the support radius reaches: with mirrored pressure at least two (Hinsch 2024,
+/// section 6.3), as dynamic boundary particles at least three (Pirovano, section 3.5.3).
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Wall {

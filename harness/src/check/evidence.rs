@@ -8,7 +8,7 @@ use super::enclosure::Enclosure;
 use super::form::Form;
 use super::{Context, Metric, Outcome};
 use crate::failure::Failure;
-use crate::outcome::table;
+use crate::outcome::table_of;
 use crate::output::progress;
 use millpond_core::scene::{DensityDiffusion, DensityForm, Formulation, PressureForce, Recipe, Shifting};
 use std::time::Instant;
@@ -48,6 +48,9 @@ const WALLS: [Enclosure; 5] =
 
 /// A periodic domain has no walls of any kind.
 const NO_WALLS: Enclosure = Enclosure::CLOSED_FORM;
+
+/// Errors beyond this are those of a fluid that has left its place.
+const LOST: f64 = 1000.0;
 
 /// Result of a form in a case: error and wall time per simulated second, s.
 type Cell = Result<(f64, f64), Failure>;
@@ -134,6 +137,7 @@ fn in_words(case: &Case, results: &[Cell]) -> Vec<String> {
     let all = || results.iter().filter_map(|result| result.as_ref().ok());
     let word = |result: &Cell| match result {
         Ok((error, _)) if error.is_nan() => "no result".into(),
+        Ok((error, _)) if *error > LOST => "lost".into(),
         Ok((error, time)) => {
             let front = !all().any(|(e, t)| e <= error && t <= time && (e, t) != (error, time));
             let percent = case.limit < 1.0;
@@ -148,16 +152,10 @@ fn in_words(case: &Case, results: &[Cell]) -> Vec<String> {
 
 /// Returns the table of forms, with a column for each case.
 fn of_forms(cases: &[Case], forms: &[Form], cells: &[Vec<String>]) -> String {
-    let lines = forms.iter().enumerate().map(|(i, form)| {
-        let mut line = [const { String::new() }; 5];
-        line[0] = form.name();
-        for (place, column) in line[1..].iter_mut().zip(cells) {
-            column[i].clone_into(place);
-        }
-        line
-    });
-    let name = |i: usize| cases.get(i).map_or("", |case| case.name);
+    let columns = |i: usize| cells.iter().map(move |column| column[i].clone());
+    let lines = forms.iter().enumerate().map(|(i, form)| std::iter::once(form.name()).chain(columns(i)).collect());
+    let titles = std::iter::once("walls, density, diffusion, shifting").chain(cases.iter().map(|case| case.name));
     let errors: Vec<String> = cases.iter().map(|case| format!("- {}: {}", case.name, case.error)).collect();
-    let rows = table(["walls, density, diffusion, shifting", name(0), name(1), name(2), name(3)], lines);
+    let rows = table_of(&titles.collect::<Vec<_>>(), lines.collect::<Vec<Vec<String>>>());
     format!("Errors, and wall time per simulated second; a star marks the front.\n\n{}\n\n{rows}", errors.join("\n"))
 }

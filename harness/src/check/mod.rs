@@ -10,12 +10,12 @@
 //! first line.
 //!
 //! The files use these terms. The support radius is the radius beyond which a kernel vanishes (2 h in most textbooks),
-//! and the number of neighbours is the number of particles inside of it, the particle itself included. Walls are
-//! mirrored or dynamic boundary particles (see `WallPressure`), unless a study says otherwise.
+//! and the number of neighbours is the number of particles inside of it, the particle itself included. Each study names
+//! its walls.
 //!
 //! The studies share `flow` (starting and stepping), `column` (a tank at rest), `drop` (a drop at rest), `strata` (two
-//! fluids at rest), `form` (walls and formulas), `formulas` (choices of formulas), `cases` (short reference cases) and `reference` (tables and series). Longer theory is in `ripple`
-//! and `swing`.
+//! fluids at rest), `form` (walls and formulas), `formulas` (choices of formulas), `cases` (short reference cases) and
+//! `reference` (tables and series). Longer theory is in `ripple` and `swing`.
 mod air;
 mod bar;
 mod cases;
@@ -38,6 +38,7 @@ mod kernels;
 mod laplace_drop;
 mod lattice;
 mod lid;
+pub mod matrix;
 mod oscillating_drop;
 mod other_forms;
 mod pressure_correction;
@@ -66,7 +67,7 @@ use std::path::PathBuf;
 /// Options of `check`.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Options {
-    /// Name of a study, or all; without a name, the studies are listed
+    /// Name of a study, or all, which leaves out matrix and the evidence studies; without a name, the studies are listed
     name: Option<String>,
     /// Coarser and shorter runs, for studies that have them
     #[arg(long)]
@@ -103,8 +104,13 @@ pub struct Study {
     run: fn(&Context) -> Result<Outcome, Failure>,
 }
 
-/// Studies that `all` leaves out, since each takes longer than all others together.
+/// Studies that `all` leaves out, since each takes minutes.
 pub const LONG_STUDIES: &[Study] = &[
+    Study {
+        name: "matrix",
+        about: "every pair of choices that goes together gives the same bits on all paths",
+        run: matrix::run,
+    },
     Study {
         name: "evidence-surface",
         about: "error against run time of walls, densities, diffusions and shiftings, for free surfaces",
@@ -197,7 +203,7 @@ pub const STUDIES: &[Study] = &[
     },
     Study {
         name: "recipes",
-        about: "the recipes for kinds of flow, without any change, on the reference cases of that kind",
+        about: "the recipes for kinds of flow on the reference cases of their kind",
         run: recipes::run,
     },
     Study { name: "taylor-green", about: "decaying vortices, against the exact solution", run: taylor_green::run },

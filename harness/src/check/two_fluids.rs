@@ -72,7 +72,7 @@ type Sums = (DensityForm, PressureForce);
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Case {
     pub(super) ratio: f32,
-    end: f64,
+    pub(super) end: f64,
     pub(super) quick_end: f64,
 }
 

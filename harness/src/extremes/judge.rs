@@ -2,10 +2,11 @@
 use super::{Case, End, Run};
 use crate::failure::Failure;
 use crate::outcome::Metric;
+use crate::pool::Pool;
 use crate::snapshot::Snapshot;
 use millpond_core::OwnedMemory;
 use millpond_core::scene::InitialParticle;
-use millpond_core::{Array, Plan, Requirements, SceneError, Serial, Simd, Solver, StepError};
+use millpond_core::{Array, Plan, Requirements, SceneError, Simd, Solver, StepError};
 use millpond_gpu::{Gpu, GpuError, GpuSolver};
 use std::fmt;
 
@@ -45,9 +46,20 @@ impl fmt::Display for Fault {
     }
 }
 
+/// A way to run a case on the CPU. All ways must give the same bits.
+struct Path {
+    backend: &'static str,
+    simd: Simd,
+    threads: usize,
+    /// Whether the plan keeps every term, although the scene does not need it.
+    every_term: bool,
+}
+
 /// Result of a case on one backend.
 struct Ended {
     backend: &'static str,
+    /// Whether the plan kept every term, and the state therefore has more arrays.
+    every_term: bool,
     /// Number of completed steps.
     steps: u64,
     refusal: Option<StepError>,
@@ -57,19 +69,26 @@ struct Ended {
     end: Snapshot,
 }
 
-/// Runs a case on the CPU at the scalar and at the best SIMD level, and on a GPU if there is one.
+/// Runs a case on the CPU at the scalar and at the best SIMD level, with every term that a plan can leave out, and on a
+/// GPU if there is one.
 ///
 /// # Errors
 /// A failure of the device.
 pub fn judge(case: &Case, gpu: Option<&Gpu>) -> Result<Verdict, Failure> {
-    let scalar = match on_cpu(case, "scalar", Simd::Scalar) {
+    let plain = Path { backend: "scalar", simd: Simd::Scalar, threads: 1, every_term: false };
+    let lanes = Path { backend: "lanes on two threads", simd: Simd::detect(), threads: 2, every_term: false };
+    let whole = Path { backend: "with every term", simd: Simd::detect(), threads: 1, every_term: true };
+    let scalar = match on_cpu(case, &plain)? {
         Ok(ended) => ended,
         Err(error) => return Ok(refused(case, &error)),
     };
     let scene = |error| Failure::Scene { origin: case.name.clone(), error };
-    let mut others = vec![on_cpu(case, "lanes", Simd::detect()).map_err(scene)?];
+    let mut others = Vec::new();
+    for path in [lanes, whole] {
+        others.push(on_cpu(case, &path)?.map_err(scene)?);
+    }
     if let Some(gpu) = gpu {
-        others.push(with_solver(case, |solver| on_device(case, gpu, &solver, &scalar)).map_err(scene)??);
+        others.push(with_solver(case, false, |solver| on_device(case, gpu, &solver, &scalar)).map_err(scene)??);
     }
     let (result, fault) = outcome(case, &scalar)?;
     let mut faults: Vec<Fault> = fault.into_iter().collect();
@@ -85,8 +104,8 @@ fn between(scalar: &Ended, others: &[Ended]) -> Vec<Fault> {
     let mut faults: Vec<Fault> =
         all.filter(|ended| !ended.kept).map(|ended| Fault::Changed(ended.backend.into())).collect();
     for other in others {
-        let same = (other.refusal, other.steps) == (scalar.refusal, scalar.steps);
-        if !same || other.end != scalar.end {
+        let same_end = if other.every_term { other.end.hash() == scalar.end.hash() } else { other.end == scalar.end };
+        if !same_end || (other.refusal, other.steps) != (scalar.refusal, scalar.steps) {
             let [one, two] = [scalar, other].map(|ended| format!("{}, {}", ended.backend, ended.words()));
             faults.push(Fault::Parted(format!("{one}; {two}")));
         }
@@ -152,30 +171,33 @@ impl Ended {
 }
 
 /// Calls `work` with a solver at the start of a case.
-fn with_solver<T>(case: &Case, work: impl FnOnce(Solver<'_>) -> T) -> Result<T, SceneError> {
+fn with_solver<T>(case: &Case, every_term: bool, work: impl FnOnce(Solver<'_>) -> T) -> Result<T, SceneError> {
     let scene = case.scene.check()?;
+    let plan = if every_term { Plan::everything(&scene) } else { Plan::of(&scene) };
     let at: Vec<InitialParticle> = case.places.clone().unwrap_or_else(|| scene.initial_particles().collect());
-    let mut heap = OwnedMemory::with(&Requirements::of(&scene).for_particles(at.len()));
-    Solver::with_particles(&scene, Plan::of(&scene), at.len(), at, heap.lend()).map(work)
+    let mut heap = OwnedMemory::with(&Requirements::by_plan(&scene, &plan).for_particles(at.len()));
+    Solver::with_particles(&scene, plan, at.len(), at, heap.lend()).map(work)
 }
 
-fn on_cpu(case: &Case, backend: &'static str, simd: Simd) -> Result<Ended, SceneError> {
-    with_solver(case, |solver| {
-        let mut solver = solver.at_level(simd);
+fn on_cpu(case: &Case, path: &Path) -> Result<Result<Ended, SceneError>, Failure> {
+    let pool = Pool::new(path.threads)?;
+    let &Path { backend, every_term, .. } = path;
+    Ok(with_solver(case, every_term, |solver| {
+        let mut solver = solver.at_level(path.simd);
         let start = Snapshot::of_cpu(&solver);
         let mut refusal = None;
         let mut kept = true;
         for _ in 0..case.steps {
             let state = |solver: &Solver<'_>| (Snapshot::of_cpu(solver), solver.steps());
             let before = state(&solver);
-            refusal = solver.step(&Serial).err();
+            refusal = solver.step(&pool).err();
             if refusal.is_some() {
-                kept = state(&solver) == before && solver.step(&Serial).err() == refusal && state(&solver) == before;
+                kept = state(&solver) == before && solver.step(&pool).err() == refusal && state(&solver) == before;
                 break;
             }
         }
-        Ended { backend, steps: solver.steps(), refusal, kept, start, end: Snapshot::of_cpu(&solver) }
-    })
+        Ended { backend, every_term, steps: solver.steps(), refusal, kept, start, end: Snapshot::of_cpu(&solver) }
+    }))
 }
 
 /// Runs a case on a GPU, which is given all steps at once. A failed step must leave the state that it left on the CPU.
@@ -186,7 +208,7 @@ fn on_device(case: &Case, gpu: &Gpu, solver: &Solver<'_>, cpu: &Ended) -> Result
     let end = Snapshot::of_gpu(&fluid)?;
     let kept = refusal.is_none()
         || end == cpu.end && step(&mut fluid, case.steps)? == refusal && Snapshot::of_gpu(&fluid)? == end;
-    Ok(Ended { backend: "device", steps: fluid.steps(), refusal, kept, start, end })
+    Ok(Ended { backend: "device", every_term: false, steps: fluid.steps(), refusal, kept, start, end })
 }
 
 /// Makes steps and returns the error of the step that failed, if one did.
@@ -210,7 +232,15 @@ mod tests {
 
     #[test]
     fn a_state_that_was_changed_and_one_that_is_another_are_found() {
-        let ended = |end: Snapshot| Ended { backend: "", steps: 1, refusal: None, kept: true, start: end.clone(), end };
+        let ended = |end: Snapshot| Ended {
+            backend: "",
+            every_term: false,
+            steps: 1,
+            refusal: None,
+            kept: true,
+            start: end.clone(),
+            end,
+        };
         let state = Snapshot::of_particles(&[[1.0; 4]], &[]);
         assert!(between(&ended(state.clone()), &[ended(state.clone())]).is_empty());
         let mut other = state.clone();

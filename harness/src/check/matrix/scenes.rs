@@ -4,7 +4,6 @@ use millpond_core::scene::{
     Block, Container, Dimension, Face, Fluid, Formulation, Grid, NearPressure, PlaneModel, Recipe, Scene, Sliding,
     SurfaceTension, Wall, WallShape,
 };
-
 /// Returns a scene in which every choice has an effect: two blocks that collide above a floor, with gravity.
 pub fn base(dimension: Dimension) -> Scene {
     let fluid = Fluid { dynamic_viscosity: 2.0, ..Fluid::default() };
@@ -15,7 +14,7 @@ pub fn base(dimension: Dimension) -> Scene {
     scene.model = Formulation::of(Recipe::Pirovano);
     let velocity = Vec3::new(-1.0, 0.5, 0.0);
     let other = Block { corner: Vec3::new(0.42, 0.05, 0.1), size: Vec3::new(0.2, 0.3, depth), velocity, ..block };
-    scene.add_block(other).expect("room for a block");
+    scene.blocks = [block, other].into_iter().collect();
     scene.gravity = Vec3::new(1.0, -9.81, 0.0);
     scene.average_neighbours = Some(if dimension == Dimension::Three { 30.0 } else { 18.0 });
     scene.grid = Grid { cells: [8, 8, 4], ..Grid::default() };
@@ -33,7 +32,7 @@ pub fn falls(s: &mut Scene) {
 /// Turns the second block into another fluid, lighter and with a higher speed of sound.
 pub fn second_fluid(s: &mut Scene) {
     let light = Fluid { rest_density: 700.0, speed_of_sound: 12.0, dynamic_viscosity: 5.0, ..Fluid::default() };
-    s.add_fluid(light).expect("room for a fluid");
+    s.fluids = [*s.fluid_of(0), light].into_iter().collect();
     s.blocks[1].fluid = 1;
 }
 
