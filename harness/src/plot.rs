@@ -30,6 +30,9 @@ pub(crate) const SERIES: [RGBColor; 6] = [
     RGBColor(86, 180, 233),
 ];
 
+/// Smallest ratio of the ends of an axis to the values next to them.
+const MARGIN: f64 = 1.2;
+
 /// Draws markers in double logarithmic axes, and joins those on the Pareto front by a line.
 ///
 /// # Errors
@@ -44,10 +47,16 @@ fn draw(
     [x_label, y_label]: [&str; 2],
     marks: &[Mark],
 ) -> Result<(), DrawingAreaErrorKind<std::io::Error>> {
-    let range = |value: fn(&Mark) -> f64, margin: f64| {
+    // whole decades, whose ends have labels
+    let range = |value: fn(&Mark) -> f64| {
         let values = || marks.iter().map(value).filter(|v| *v > 0.0);
         let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max));
-        if low <= high { low / margin..high * margin } else { 0.1..10.0 }
+        let decade = |exponent: f64| 10.0f64.powf(exponent);
+        if low <= high {
+            decade((low / MARGIN).log10().floor())..decade((high * MARGIN).log10().ceil())
+        } else {
+            0.1..10.0
+        }
     };
     let area = SVGBackend::new(path, SIZE).into_drawing_area();
     area.fill(&WHITE)?;
@@ -56,7 +65,7 @@ fn draw(
         .margin(16)
         .x_label_area_size(48)
         .y_label_area_size(72)
-        .build_cartesian_2d(range(|m| m.x, 2.0).log_scale(), range(|m| m.y, 1.4).log_scale())?;
+        .build_cartesian_2d(range(|m| m.x).log_scale(), range(|m| m.y).log_scale())?;
     chart
         .configure_mesh()
         .x_desc(x_label)
@@ -94,7 +103,8 @@ fn draw(
         .background_style(WHITE)
         .border_style(FRONT)
         .label_font(("sans-serif", 14))
-        .position(SeriesLabelPosition::LowerLeft)
+        // the runs that are better than the front would be at the lower left
+        .position(SeriesLabelPosition::UpperRight)
         .margin(12)
         .draw()?;
     area.present()
