@@ -69,23 +69,38 @@ struct Ended {
     end: Snapshot,
 }
 
-/// Runs a case on the CPU at the scalar and at the best SIMD level, with every term that a plan can leave out, and on a
-/// GPU if there is one.
+/// The way with which all others are compared.
+const PLAIN: Path = Path { backend: "scalar", simd: Simd::Scalar, threads: 1, every_term: false };
+
+/// Runs a case on the CPU at the scalar and at the best SIMD level, and on a GPU if there is one.
 ///
 /// # Errors
 /// A failure of the device.
 pub fn judge(case: &Case, gpu: Option<&Gpu>) -> Result<Verdict, Failure> {
-    let plain = Path { backend: "scalar", simd: Simd::Scalar, threads: 1, every_term: false };
-    let lanes = Path { backend: "lanes on two threads", simd: Simd::detect(), threads: 2, every_term: false };
-    let whole = Path { backend: "with every term", simd: Simd::detect(), threads: 1, every_term: true };
-    let scalar = match on_cpu(case, &plain)? {
+    let lanes = Path { backend: "lanes on two threads", simd: Simd::detect(), threads: 2, ..PLAIN };
+    on_paths(case, gpu, &[lanes])
+}
+
+/// Runs a case as [`judge`] does, and also with every term that its plan leaves out. Such terms have a coefficient of 0,
+/// so this is not for cases in which a term would be infinite.
+///
+/// # Errors
+/// A failure of the device.
+pub fn judge_with_every_term(case: &Case, gpu: Option<&Gpu>) -> Result<Verdict, Failure> {
+    let lanes = Path { backend: "lanes on two threads", simd: Simd::detect(), threads: 2, ..PLAIN };
+    let whole = Path { backend: "with every term", simd: Simd::detect(), every_term: true, ..PLAIN };
+    on_paths(case, gpu, &[lanes, whole])
+}
+
+fn on_paths(case: &Case, gpu: Option<&Gpu>, paths: &[Path]) -> Result<Verdict, Failure> {
+    let scalar = match on_cpu(case, &PLAIN)? {
         Ok(ended) => ended,
         Err(error) => return Ok(refused(case, &error)),
     };
     let scene = |error| Failure::Scene { origin: case.name.clone(), error };
     let mut others = Vec::new();
-    for path in [lanes, whole] {
-        others.push(on_cpu(case, &path)?.map_err(scene)?);
+    for path in paths {
+        others.push(on_cpu(case, path)?.map_err(scene)?);
     }
     if let Some(gpu) = gpu {
         others.push(with_solver(case, false, |solver| on_device(case, gpu, &solver, &scalar)).map_err(scene)??);

@@ -12,7 +12,7 @@ mod measures;
 pub mod particles;
 pub mod settings;
 
-pub use judge::{Fault, Verdict, judge};
+pub use judge::{Fault, Verdict, judge, judge_with_every_term};
 pub use measures::Measure;
 
 use crate::failure::Failure;

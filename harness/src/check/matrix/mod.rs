@@ -11,7 +11,7 @@ pub mod scenes;
 use self::choices::{Choice, choices};
 use self::cover::{Combination, cover};
 use super::{Context, Metric, Outcome};
-use crate::extremes::{Case, End, Fault, Measure, Verdict, judge};
+use crate::extremes::{Case, End, Fault, Measure, Verdict, judge_with_every_term};
 use crate::failure::Failure;
 use crate::fluid::device_if_any;
 use crate::outcome::table;
@@ -49,7 +49,7 @@ fn names(choices: &[Choice], row: &[Option<usize>]) -> String {
 fn verdict(base: &Scene, choices: &[Choice], row: &[Option<usize>], gpu: Option<&Gpu>) -> Result<Verdict, Failure> {
     let (name, scene) = (names(choices, row), scene(base, choices, row));
     // a step may be refused, as long as all paths refuse it alike
-    judge(&Case { name, scene, places: None, steps: STEPS, end: End::Either(Measure::Finite) }, gpu)
+    judge_with_every_term(&Case { name, scene, places: None, steps: STEPS, end: End::Either(Measure::Finite) }, gpu)
 }
 
 /// Takes back choices as long as the scene has a fault, and returns what remains.
