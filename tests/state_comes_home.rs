@@ -4,16 +4,17 @@
 use millpond::compare::difference;
 use millpond::snapshot::Snapshot;
 use millpond_core::backend::save::VERSION;
+use millpond_core::glam::Vec3;
 use millpond_core::scene::{Adjustable, GridStructure, Scene};
-use millpond_core::{OwnedMemory, RestoreError, Serial, Solver};
+use millpond_core::{NewParticle, OwnedMemory, RestoreError, Serial, Solver};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 
 mod support;
 use support::device;
 
-/// Scenes with much state to save: an adaptive time step, corrected pressure, plastic springs, air, and two integrators
+/// Scenes with much state to save: an adaptive time step, corrected pressure, plastic springs, air, an emitter, and two integrators
 /// with a history.
-const SCENES: &[&str] = &["stiff-tank", "corrected-column", "elastic-cube", "oil-and-water", "dam-break-2d"];
+const SCENES: &[&str] = &["stiff-tank", "corrected-column", "elastic-cube", "oil-and-water", "jet", "dam-break-2d"];
 
 fn scene(name: &str) -> Scene {
     let mut scene = support::scaled(name, 400).file.scene;
@@ -148,4 +149,32 @@ fn bytes_that_are_not_its_own_are_refused_by_name() {
         assert_eq!(solver.full_hash(), hash, "{want}");
     }
     assert_eq!(solver.save(&mut [0; 4]), Err(RestoreError::WrongLength { given: 4, expected: own.len() }));
+}
+
+#[test]
+fn what_the_host_adds_on_either_backend() {
+    let Some(gpu) = device("state_comes_home", Mode::Strict) else { return };
+    let scene = scene("jet");
+    let (mut first, mut second) = (memory(&scene), memory(&scene));
+    let mut solver = Solver::new(&scene, first.lend()).expect("a scene");
+    let mut host = Solver::new(&scene, second.lend()).expect("a scene");
+    let mut fluid = GpuSolver::new(&gpu, &solver).expect("a device that takes it");
+    for round in 0..3 {
+        (0..40).for_each(|_| solver.step(&Serial).expect("a step"));
+        fluid.step(40).expect("steps");
+        let change = |solver: &mut Solver<'_>| {
+            let old = solver.identify(3 + round).expect("a particle");
+            let at = Vec3::new(0.8, 0.5 + 0.1 * round as f32, 0.0);
+            let new = NewParticle { fluid: 0, position: at, velocity: Vec3::X, life: Some(0.1) };
+            (solver.remove(old), solver.spawn(&new))
+        };
+        let made = change(&mut solver);
+        assert!(made.0 && made.1.is_ok(), "{made:?}");
+        assert_eq!(fluid.with_host(&mut host, change).expect("a host"), made);
+        assert!(fluid.save().expect("bytes") == saved(&solver), "round {round}");
+        assert_eq!(fluid.census().expect("a census"), solver.census());
+    }
+    (0..40).for_each(|_| solver.step(&Serial).expect("a step"));
+    fluid.step(40).expect("steps");
+    assert!(fluid.save().expect("bytes") == saved(&solver));
 }

@@ -93,24 +93,24 @@ pub struct LiveScene {
     scene: Scene,
     model: Model,
     particles: u32,
-    first_air: u32,
+    first_spare: u32,
 }
 
 impl LiveScene {
-    /// Creates it from the scene, its model, the number of particles, and the id from which on particles belong to the
-    /// layer of air.
-    pub(crate) fn new(scene: &Scene, model: Model, [particles, first_air]: [u32; 2]) -> LiveScene {
+    /// Creates it from the scene, its model, the number of particles, and the id from which on particles can be
+    /// inactive.
+    pub(crate) fn new(scene: &Scene, model: Model, [particles, first_spare]: [u32; 2]) -> LiveScene {
         let mut scene = scene.clone();
         // a hydrostatic start only matters until the particles are created, and later changes need not fit it
         scene.model.initialize_hydrostatic = false;
-        LiveScene { scene, model, particles, first_air }
+        LiveScene { scene, model, particles, first_spare }
     }
 
     /// Returns the constants derived from the scene, with the particle counts of the solver.
     pub(crate) fn constants(&self, derived: &Derived) -> Constants {
-        let (particle_count, first_air) = (self.particles, self.first_air);
+        let (particle_count, first_spare) = (self.particles, self.first_spare);
         Constants {
-            parameters: Parameters { particle_count, first_air, ..derived.parameters },
+            parameters: Parameters { particle_count, first_spare, ..derived.parameters },
             materials: derived.materials,
             step: derived.step,
             kinematic_viscosity: derived.kinematic_viscosity as f32,
@@ -120,6 +120,11 @@ impl LiveScene {
     /// Numbers of fluids, blocks and walls, which determine the materials that the scene uses.
     pub(crate) fn materials(&self) -> [usize; 3] {
         [self.scene.fluids.len(), self.scene.blocks.len(), self.scene.walls.len()]
+    }
+
+    /// Number of fluids.
+    pub(crate) fn fluids(&self) -> u32 {
+        self.scene.fluids.len() as u32
     }
 
     /// The scene's time step, s.

@@ -56,7 +56,7 @@ impl<'m> Solver<'m> {
         let (materials, scratch) = (&self.constants.materials, &mut self.memory.scratch);
         let Sorting { source_slot, cell: cells, rank, .. } = Sorting::of(scratch.neighbours, state.id.len());
         for ((cell, x), v) in cells.iter_mut().zip(state.position.iter()).zip(state.velocity.iter()) {
-            if m.has_air == 1 && is_inactive(materials, v[3]) {
+            if m.has_inactive == 1 && is_inactive(materials, v[3]) {
                 *cell = p.cells[3] - 1;
                 continue;
             }

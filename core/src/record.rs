@@ -1,4 +1,5 @@
 //! What a solver needs besides its arrays to continue, and the fingerprint that identifies the scene of saved bytes.
+use crate::census::Flux;
 use crate::clock::SteadyTime;
 use crate::hash::Fnv;
 use crate::layout::{Materials, Model, Parameters, Status};
@@ -36,15 +37,15 @@ pub struct Record {
     pub counts: [u32; 3],
     /// Result of the pressure correction.
     pub correction: CorrectionReport,
-    /// Number of spawn requests for which no inactive particle was left.
-    pub air_refused: u64,
+    /// The particles that came and went.
+    pub flux: Flux,
     /// The values that may be changed between steps.
     pub live: LiveValues,
 }
 
 impl Record {
     /// Number of words in a record.
-    pub const WORDS: usize = 22 + LiveValues::WORDS;
+    pub const WORDS: usize = 28 + LiveValues::WORDS;
 
     /// The record of a GPU solver: from its status, and from values that the host program keeps.
     #[must_use]
@@ -61,7 +62,7 @@ impl Record {
                 total_iterations: u64::from(status.total_iterations),
                 residual: f32::from_bits(status.last_residual),
             },
-            air_refused: u64::from(status.air_refused),
+            flux: Flux::of_status(status),
             live: live.values(),
         }
     }
@@ -72,7 +73,7 @@ impl Record {
         wide(self.steady.since);
         wide(self.steady.at.to_bits());
         wide(self.correction.total_iterations);
-        wide(self.air_refused);
+        [self.flux.refused, self.flux.blocked, self.flux.born, self.flux.removed].into_iter().for_each(wide);
         self.clock.iter().for_each(|x| word(x.to_bits()));
         word(self.time_step.to_bits());
         self.counts.into_iter().for_each(&mut word);
@@ -90,13 +91,13 @@ impl Record {
         Record {
             steps: wide(0),
             steady: SteadyTime { since: wide(2), at: f64::from_bits(wide(4)) },
-            clock: [float(10), float(11), float(12), float(13)],
-            time_step: float(14),
-            counts: [at(15), at(16), at(17)],
-            correction: CorrectionReport { iterations: at(18), total_iterations: wide(6), residual: float(19) },
-            air_refused: wide(8),
-            due: f64::from_bits(wide(20)),
-            live: LiveValues::of_words(words.get(22..).unwrap_or_default()),
+            clock: [float(16), float(17), float(18), float(19)],
+            time_step: float(20),
+            counts: [at(21), at(22), at(23)],
+            correction: CorrectionReport { iterations: at(24), total_iterations: wide(6), residual: float(25) },
+            flux: Flux { refused: wide(8), blocked: wide(10), born: wide(12), removed: wide(14) },
+            due: f64::from_bits(wide(26)),
+            live: LiveValues::of_words(words.get(28..).unwrap_or_default()),
         }
     }
 }
@@ -111,8 +112,8 @@ pub(crate) fn fingerprint(
     materials: &Materials,
     requirements: &Requirements,
 ) -> u64 {
-    let Counts { particles, spring_ends, air, field_nodes, cells: _, list_words: _ } = requirements.counts;
-    let counts = [particles, spring_ends, air, field_nodes, plan.iterations() as usize];
+    let Counts { particles, spring_ends, spares, emitter_points, field_nodes, .. } = requirements.counts;
+    let counts = [particles, spring_ends, spares, emitter_points, field_nodes, plan.iterations() as usize];
     let cells = if plan.model.is_half_stencil == 1 { parameters.cells } else { [0; 4] };
     let (model, parameters) = (Model { cell_places: 0, ..plan.model }, Parameters { cells, ..*parameters });
     let structs = [bytemuck::bytes_of(&model), bytemuck::bytes_of(&parameters), bytemuck::bytes_of(materials)];

@@ -20,7 +20,7 @@ pub struct DensityError {
     pub max: f64,
 }
 
-/// Energies of the fluid, J (per metre of depth in 2D). Wall particles and inactive air particles do not count.
+/// Energies of the fluid, J (per metre of depth in 2D). Wall particles and inactive ones do not count.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energies {
     /// Kinetic energy.
@@ -65,10 +65,7 @@ impl Solver<'_> {
         if self.plan().model.has_air == 0 {
             return AirReport::default();
         }
-        let first = self.parameters().first_air as usize;
-        let coat = self.slots().iter().skip(first);
-        let active = coat.filter(|&&slot| !self.is_wall(slot as usize)).count() as u32;
-        AirReport { active, refused: self.air_refused }
+        AirReport { active: self.active_air(), refused: self.census.refused }
     }
 
     /// Courant numbers of a step of `time_step` seconds that led to this state.

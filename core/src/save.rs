@@ -15,7 +15,7 @@ use crate::solver::Solver;
 const MAGIC: u32 = u32::from_le_bytes(*b"MPND");
 
 /// Version of the format. It is incremented whenever the format changes.
-pub const VERSION: u32 = 3;
+pub const VERSION: u32 = 4;
 
 /// Words before the record: magic number, version, fingerprint of the scene, and hash of everything after the head.
 const HEAD_WORDS: usize = 6;
@@ -166,7 +166,7 @@ impl Solver<'_> {
             time_step: self.uniform().time_step,
             counts,
             correction: self.correction(),
-            air_refused: self.air_refused,
+            flux: self.census,
             live: self.live().values(),
         }
     }
@@ -177,7 +177,7 @@ impl Solver<'_> {
         constants.step.step = record.steps as u32;
         self.continue_from(live, &constants, record);
         self.clock = Clock::of_record(record.clock, record.counts);
-        self.air_refused = record.air_refused;
+        self.census = record.flux;
         Ok(())
     }
 }

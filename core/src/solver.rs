@@ -1,6 +1,8 @@
 //! The solver: a scene in memory lent by the caller, advanced step by step.
 use crate::arithmetic::level::Simd;
+use crate::census::Flux;
 use crate::clock::{Clock, SteadyTime, TimeReport, set_step};
+use crate::derive::emission::fill_emitters;
 use crate::derive::kernel_tables::fill_tables;
 use crate::error::{SceneError, StepError};
 use crate::executor::{AnyExecutor, Executor};
@@ -54,7 +56,7 @@ pub struct Solver<'m> {
     pub(crate) clock: Clock,
     pub(crate) steps: u64,
     correction: CorrectionReport,
-    pub(crate) air_refused: u64,
+    pub(crate) census: Flux,
     /// Time up to which [`Solver::advance`] was asked to advance the fluid, s.
     pub(crate) due: f64,
     /// Index of the state that is the fluid. A step is tried in the state with the other index.
@@ -100,8 +102,9 @@ impl<'m> Solver<'m> {
         }
         let requirements = Requirements::by_plan(scene, &plan).for_particles(count);
         let memory = memory.carve(&requirements)?;
-        let first_air = count.saturating_sub(scene.air_capacity()) as u32;
-        let live = LiveScene::new(scene, plan.model, [count as u32, first_air]);
+        // a drain or the host can make any particle inactive
+        let first_spare = if scene.has_turnover() { 0 } else { count.saturating_sub(scene.inactive_at_start()) };
+        let live = LiveScene::new(scene, plan.model, [count as u32, first_spare as u32]);
         let constants = live.constants(scene.derived());
         let simd = Simd::of_new_solver();
         let mut solver = Solver {
@@ -114,7 +117,7 @@ impl<'m> Solver<'m> {
             clock: Clock::default(),
             steps: 0,
             correction: CorrectionReport::default(),
-            air_refused: 0,
+            census: Flux::default(),
             due: 0.0,
             current: 0,
             has_lists: false,
@@ -123,6 +126,7 @@ impl<'m> Solver<'m> {
             memory,
         };
         fill_tables(scene, solver.memory.given.kernel_tables);
+        fill_emitters(scene, &mut solver.memory.given);
         solver.memory.given.acceleration_field.fill([0.0; 4]);
         solver.fill(scene, particles)?;
         solver.evaluate(None)?;
@@ -193,7 +197,7 @@ impl<'m> Solver<'m> {
                 total_iterations: self.correction.total_iterations + u64::from(found.iterations),
                 residual: found.residual,
             };
-            self.air_refused += u64::from(found.refused);
+            self.census.add(found.flux);
             return Ok(());
         }
         Err(StepError::NoTimeStep { attempts: MOST_ATTEMPTS, step: self.steps + 1 })
@@ -263,6 +267,10 @@ impl<'m> Solver<'m> {
     #[must_use]
     pub fn state(&self) -> &State<'m> {
         &self.memory.states[self.current]
+    }
+
+    pub(crate) fn state_mut(&mut self) -> &mut State<'m> {
+        &mut self.memory.states[self.current]
     }
 
     pub(crate) fn current_index(&self) -> usize {

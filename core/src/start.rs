@@ -2,6 +2,7 @@
 //! the integrator.
 use crate::arithmetic::real::vec3;
 use crate::clock::{Clock, set_step};
+use crate::derive::emission::state_at_start;
 use crate::derive::{Material, material_of};
 use crate::error::{SceneError, StepError};
 use crate::executor::Serial;
@@ -68,8 +69,8 @@ impl Solver<'_> {
         let needed = state.id.len();
         let wrong =
             |given| SceneError::WrongLength { call: "with_particles", what: "particles", given, expected: needed };
-        if needed < scene.air_capacity() {
-            return Err(SceneError::TooFewParticles { particles: needed, air: scene.air_capacity() });
+        if needed < scene.inactive_at_start() {
+            return Err(SceneError::TooFewParticles { particles: needed, air: scene.inactive_at_start() });
         }
         let mut particles = particles.into_iter();
         for slot in 0..needed {
@@ -91,10 +92,12 @@ impl Solver<'_> {
             }
             let (masses, properties) = (self.plan.model.has_variable_mass == 1, self.plan.model.has_materials == 1);
             let material = material_of(place.material, scene);
-            let of_coat = scene.air.is_some() && slot >= self.constants.parameters.first_air as usize;
+            let is_spare = scene.has_inactive() && slot >= self.constants.parameters.first_spare as usize;
             let fits = match material {
-                Some(Material::Inactive) => of_coat,
-                Some(_) => !of_coat || scene.air.is_some_and(|air| air.fluid == place.material),
+                Some(Material::Inactive) => is_spare,
+                Some(_) => {
+                    !is_spare || scene.has_turnover() || scene.air.is_some_and(|air| air.fluid == place.material)
+                }
                 None => false,
             };
             if !fits || (place.material > 0 && !properties) || (place.mass != 1.0 && !masses) {
@@ -119,6 +122,10 @@ impl Solver<'_> {
             state.slot_of_id[slot] = slot as u32;
         }
         state.drift_velocity.fill([0.0; 4]);
+        state.life.fill([0.0, f32::MAX, 0.0, 0.0]);
+        for (state, emitter) in state.emitter_state.iter_mut().zip(&scene.emitters) {
+            *state = state_at_start(scene, emitter);
+        }
         self.memory.given.spring_ranges.fill([0; 4]);
         match particles.next() {
             Some(_) => Err(wrong(needed + 1)),

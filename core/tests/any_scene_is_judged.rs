@@ -3,8 +3,8 @@
 //! error that says so. (`tests/extremes_end_well.rs` tests that the errors name the fields.)
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
-    AccelerationField, Air, Block, Container, Dimension, Elasticity, Fluid, Formulation, Grid, Periodic, PlaneModel,
-    Recipe, Scene, SupportRange, Wall, WallShape,
+    AccelerationField, Air, Block, Container, Dimension, Elasticity, Emitter, Fluid, Formulation, Grid, Opening,
+    Periodic, PlaneModel, Recipe, Scene, SupportRange, Wall, WallShape,
 };
 use millpond_core::{Axis, Plan, Requirements, SceneError, Solver, StepError, Storage};
 
@@ -14,7 +14,7 @@ const HOSTILE: [f32; 10] = [f32::NAN, f32::INFINITY, f32::MIN, f32::MAX, -1.0, 0
 type Change = fn(&mut Scene, f32);
 
 /// Changes of every number from which a length, a count or a number of iterations is derived.
-const CHANGES: [Change; 18] = [
+const CHANGES: [Change; 19] = [
     |s, x| s.particle_spacing = x,
     |s, x| s.average_neighbours = Some(x),
     |s, x| s.fluids[0].average_neighbours = Some(x),
@@ -32,6 +32,10 @@ const CHANGES: [Change; 18] = [
     |s, x| s.acceleration_field = Some(AccelerationField { low: Vec3::ZERO, spacing: 1.0, counts: [x as u32; 3] }),
     |s, x| s.grid.cells = [x as u32; 3],
     |s, x| s.air = Some(Air { fluid: 1, capacity: x as u32, threshold: 1.0, minimum_density: 0.5 }),
+    |s, x| {
+        s.emitters = [Emitter::jet(Vec3::splat(x), Vec3::X, x, Opening::Circle(x))].into_iter().collect();
+        s.spare_particles = x as u32;
+    },
     |s, x| {
         let shape = WallShape::Box { low: Vec3::ZERO, high: Vec3::splat(x), open: [].into_iter().collect() };
         s.walls = [Wall::still(shape)].into_iter().collect();

@@ -79,10 +79,9 @@ impl Buffers {
             }
             Ok(buffers)
         };
-        // the counts of air particles continue from those of the CPU
-        let air = solver.air();
-        let refused = air.refused.min(u64::from(u32::MAX)) as u32;
-        let mut status = Status { air_alive: air.active, air_refused: refused, ..Status::fine(solver.steps() as u32) };
+        // the counts of particles continue from those of the CPU
+        let mut status = Status { air_alive: solver.air().active, ..Status::fine(solver.steps() as u32) };
+        solver.census().flux.fill(&mut status);
         solver.fill_status(&mut status);
         let correction = solver.correction();
         status.last_iterations = correction.iterations;

@@ -3,8 +3,8 @@
 use crate::bindings::{CELL_BLOCK, declarations, reads_pairs, sums_over_pairs, workgroup};
 use crate::functions::Functions;
 use millpond_core::backend::layout::{
-    MATERIALS, MOST_ATTEMPTS, Materials, Model, PLANES, Parameters, QUANTITIES_OF_ID, StepUniform, TABLE_ENTRIES,
-    TABLE_WORDS,
+    DRAIN_ROWS, MATERIALS, MOST_ATTEMPTS, Materials, Model, PLANES, Parameters, QUANTITIES_OF_ID, StepUniform,
+    TABLE_ENTRIES, TABLE_WORDS,
 };
 use millpond_core::{Array, Pass};
 
@@ -62,6 +62,7 @@ pub fn library(model: &Model, intrinsics: Intrinsics) -> String {
 fn head(model: &Model, intrinsics: Intrinsics) -> String {
     let mut out = intrinsics.prelude();
     out += &format!("const PLANES: u32 = {PLANES}u;\nalias Planes = array<f32x4, PLANES>;\n");
+    out += &format!("alias DrainRows = array<f32x4, {DRAIN_ROWS}>;\n");
     out += &format!("alias MaterialRows = array<f32x4, {MATERIALS}>;\n");
     out +=
         &format!("const QUANTITIES_OF_ID: u32 = {QUANTITIES_OF_ID}u;\nconst MOST_ATTEMPTS: u32 = {MOST_ATTEMPTS}u;\n");
@@ -93,6 +94,9 @@ pub fn program(pass: Pass, model: &Model, intrinsics: Intrinsics) -> String {
     }
     if ["of_pressure(", "of_density("].iter().any(|function| loop_text(pass).contains(function)) {
         out += include_str!("shaders/beyond.wgsl");
+    }
+    if loop_text(pass).contains("is_free(") {
+        out += include_str!("shaders/places.wgsl");
     }
     if pass.bindings().iter().any(|binding| binding.array == Array::acceleration_field) {
         out += include_str!("shaders/field.wgsl");

@@ -3,11 +3,11 @@ use crate::bindings::is_on_device;
 use crate::buffers::read;
 use crate::error::GpuError;
 use crate::solver::GpuSolver;
-use millpond_core::Array;
 use millpond_core::backend::hash::state_hash;
 use millpond_core::backend::layout::f32x4;
 use millpond_core::backend::plan::arrays::{Class, Side};
 use millpond_core::backend::save::{Record, saved_bytes, write};
+use millpond_core::{Array, RestoreError, Solver};
 
 /// A state that was read back: its arrays, in the slots of the device.
 #[derive(Clone, Debug)]
@@ -70,6 +70,33 @@ impl GpuSolver {
             read(&self.gpu, buffer, self.buffers.words(array))
         };
         Ok(Readback { arrays: Array::ALL.iter().map(words).collect::<Result<Vec<_>, _>>()? })
+    }
+
+    /// Hands the fluid to a CPU solver of the same scene, lets it be changed there, for example by
+    /// [`Solver::spawn`](millpond_core::Solver::spawn), and takes it back. It waits for the device and copies the whole
+    /// state twice.
+    ///
+    /// # Errors
+    /// [`GpuError::Device`] if the device fails, or if `host` is a solver of another scene.
+    pub fn with_host<T>(
+        &mut self,
+        host: &mut Solver<'_>,
+        change: impl FnOnce(&mut Solver<'_>) -> T,
+    ) -> Result<T, GpuError> {
+        let own = |error: RestoreError| GpuError::Device(error.to_string());
+        host.restore(&self.save()?).map_err(own)?;
+        let changed = change(host);
+        let model = *self.buffers.model();
+        for &array in Array::ALL {
+            if matches!(array.class(), Class::State | Class::Index) && array.exists(&model) {
+                let buffer = self.buffers.array(array, Side::Old, self.current());
+                self.gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(host.words(array)));
+            }
+        }
+        let mut status = self.status()?;
+        host.census().flux.fill(&mut status);
+        self.gpu.queue.write_buffer(&self.buffers.head, 0, bytemuck::bytes_of(&status));
+        Ok(changed)
     }
 
     /// Writes the fluid as bytes, from which a CPU solver of the same scene can continue

@@ -9,7 +9,7 @@ use millpond_core::backend::layout::{Status, StepUniform};
 use millpond_core::backend::live::LiveScene;
 use millpond_core::backend::plan::arrays::Side;
 use millpond_core::backend::{Pace, SteadyTime, verdict};
-use millpond_core::{AirReport, Array, CorrectionReport, Pass, Solver, TimeReport};
+use millpond_core::{AirReport, Array, Census, CorrectionReport, Flux, Pass, Solver, TimeReport};
 
 /// Number of steps that are recorded before the status is read. A failed step is detected at most this many steps late.
 /// The device skips the steps recorded after it.
@@ -33,6 +33,8 @@ pub struct GpuSolver {
     pub(crate) pace: Pace,
     /// Time up to which [`GpuSolver::advance`] was asked to advance the fluid, s.
     pub(crate) due: f64,
+    /// Number of active particles if none had come or gone.
+    active_without_flux: i64,
     /// Number of accepted steps.
     steps: u64,
     /// Number of steps recorded, including rejected attempts.
@@ -60,6 +62,7 @@ impl GpuSolver {
             let dispatches = dispatches(gpu, plan, &buffers, parameters)?;
             Ok((buffers, dispatches))
         })?;
+        let census = solver.census();
         Ok(GpuSolver {
             gpu: gpu.clone(),
             buffers,
@@ -71,6 +74,7 @@ impl GpuSolver {
             first_step: solver.steps(),
             pace: Pace::of(&plan.model, parameters),
             due: solver.due(),
+            active_without_flux: i64::from(census.active) + census.flux.removed as i64 - census.flux.born as i64,
             steps: solver.steps(),
             attempts: 0,
         })
@@ -221,6 +225,16 @@ impl GpuSolver {
     pub fn air(&self) -> Result<AirReport, GpuError> {
         let status = self.status()?;
         Ok(AirReport { active: status.air_alive, refused: u64::from(status.air_refused) })
+    }
+
+    /// The number of active particles, and how many came and went, as [`Solver::census`] returns them. It waits for the
+    /// device.
+    ///
+    /// # Errors
+    /// [`GpuError::Device`] if the device fails.
+    pub fn census(&self) -> Result<Census, GpuError> {
+        let flux = Flux::of_status(&self.status()?);
+        Ok(Census { active: (self.active_without_flux + flux.born as i64 - flux.removed as i64) as u32, flux })
     }
 
     /// Reads the status that the last step wrote. It waits for the device.

@@ -130,10 +130,11 @@ pub fn compare(
     let mut level_heaps: Vec<_> = Simd::available().skip(1).map(|simd| (simd, OwnedMemory::of(scene))).collect();
     let mut reference = start(&named.name, scene, first)?.at_level(Simd::Scalar);
     let other = other_grid(scene, &mut reference);
-    // cell lists with so many places may exceed the limits of a scene
+    // cell lists with so many places may exceed the limits of a scene, and inactive particles do not go with them
     let needs = match other.check() {
         Ok(other) => Some(Requirements::of(&other)).filter(|needs| needs.bytes() <= MOST_BYTES),
         Err(SceneError::TooManyCells { .. }) => None,
+        Err(SceneError::NotTogether { .. }) if scene.inactive_at_start() > 0 || !scene.drains.is_empty() => None,
         Err(error) => return Err(Failure::Scene { origin: format!("{}, other grid", named.name), error }),
     };
     let with_other = needs.is_some();
@@ -172,7 +173,7 @@ pub fn compare(
         } else {
             eprintln!(
                 "the other grid structure is left out: it would need more cells than a scene can have, or more than \
-                 {} GiB",
+                 {} GiB, or it does not go with air, emitters or drains",
                 MOST_BYTES >> 30
             );
         }

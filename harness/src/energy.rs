@@ -94,6 +94,9 @@ pub(crate) fn driven_by(scene: &Scene) -> Option<&'static str> {
     if scene.air.is_some() {
         return Some("spawned air");
     }
+    if !scene.emitters.is_empty() || !scene.drains.is_empty() {
+        return Some("particles that come and go");
+    }
     if scene.wind.is_some() {
         return Some("the wind");
     }

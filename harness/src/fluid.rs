@@ -8,7 +8,7 @@ use millpond_core::OwnedMemory;
 use millpond_core::backend::layout::{Materials, Parameters, u32x4};
 use millpond_core::backend::springs::energy;
 use millpond_core::scene::Scene;
-use millpond_core::{AirReport, Array, CorrectionReport, Plan, Solver, TimeReport};
+use millpond_core::{AirReport, Array, Census, CorrectionReport, Plan, Solver, TimeReport};
 use millpond_gpu::{Gpu, GpuSolver, Mode};
 
 /// Environment variable: if it is `1`, a missing GPU is an error, so that no comparison is skipped unnoticed.
@@ -142,6 +142,17 @@ impl<'a> Fluid<'a> {
         match self {
             Fluid::Cpu { solver, .. } => Ok(solver.air()),
             Fluid::Gpu { solver, .. } => Ok(solver.air()?),
+        }
+    }
+
+    /// Returns the number of active particles, and how many came and went.
+    ///
+    /// # Errors
+    /// A failure of the device.
+    pub fn census(&self) -> Result<Census, Failure> {
+        match self {
+            Fluid::Cpu { solver, .. } => Ok(solver.census()),
+            Fluid::Gpu { solver, .. } => Ok(solver.census()?),
         }
     }
 

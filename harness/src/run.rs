@@ -15,11 +15,11 @@ use crate::warnings::{gained, warnings};
 use millpond_core::OwnedMemory;
 use millpond_core::backend::derive::{Material, material_of};
 use millpond_core::backend::layout::f32x4;
-use millpond_core::{AirReport, Checked, CorrectionReport, TimeReport};
+use millpond_core::{AirReport, Census, Checked, CorrectionReport, Flux, TimeReport};
 use std::path::Path;
 
 mod report;
-pub use report::{Air, Courant, Energy, Outcome, PressureCorrection, TimeSteps, report};
+pub use report::{Air, Courant, Energy, Outcome, PressureCorrection, TimeSteps, Turnover, report};
 
 /// Options of `run`.
 #[derive(Clone, Debug, clap::Args)]
@@ -133,11 +133,13 @@ pub fn run(
         }
         None => None,
     };
+    let turnover = turnover(scene, &fluid)?;
     let last_summary = summarize(scene, &last)?;
     let neighbours = FirstLast { first: first_summary.average_neighbours, last: last_summary.average_neighbours };
     let refused = air.map_or(0, |air: Air| air.refused);
     let mut warnings = warnings(scene, &last_summary, refused);
     warnings.extend(held(&clock));
+    warnings.extend(turnover.and_then(not_made));
     warnings.extend(gained(scene, &first_summary, &last_summary));
     let elastic = FirstLast { first: first_elastic, last: fluid.elastic_energy(&last) };
     Ok(Outcome {
@@ -163,6 +165,7 @@ pub fn run(
         energy: energies(scene, [&first, &last], [&first_summary, &last_summary], elastic),
         pressure_correction,
         air,
+        turnover,
         hash: format!("{:016x}", last.hash()),
         warnings,
         pictures: film.finish(),
@@ -176,6 +179,31 @@ fn held(clock: &TimeReport) -> Option<String> {
     (clock.clamped_steps > 0).then(|| {
         let (held, wanted) = (clock.clamped_steps, clock.wanted);
         format!("{held} steps should have been shorter than adaptive.smallest (the last limit was {wanted:.1e} s)")
+    })
+}
+
+/// Returns what came and went, in a scene with emitters or drains.
+fn turnover(scene: &Checked<'_>, fluid: &Fluid<'_>) -> Result<Option<Turnover>, Failure> {
+    if scene.emitters.is_empty() && scene.drains.is_empty() {
+        return Ok(None);
+    }
+    let Census { active, flux: Flux { born, removed, blocked, refused } } = fluid.census()?;
+    Ok(Some(Turnover { active, born, removed, blocked, refused }))
+}
+
+/// Returns a warning if emitters could not make all particles.
+fn not_made(turnover: Turnover) -> Option<String> {
+    let Turnover { born, blocked, refused, .. } = turnover;
+    if refused > 0 {
+        return Some(format!(
+            "{refused} particles were not made, because no spare particle was left: increase spare_particles"
+        ));
+    }
+    // a few are blocked where a jet starts beside other fluid
+    (blocked * 100 > born).then(|| {
+        format!(
+            "{blocked} particles were not made, because their place was taken: let the fluid leave the emitter faster"
+        )
     })
 }
 

@@ -5,7 +5,7 @@ use crate::scene_errors::explained;
 use crate::scene_file::SceneFile;
 use crate::scene_text::{current, line_of};
 use glam::Vec3;
-use millpond_core::scene::{Container, Periodic, WallShape};
+use millpond_core::scene::{Container, Drain, Opening, Periodic, WallShape};
 use millpond_core::{Checked, Requirements, SceneError};
 use std::path::Path;
 
@@ -46,6 +46,7 @@ pub const BUILT_IN: &[(&str, &str)] = built_in!(
     "elastic-cube",
     "two-fluids",
     "two-jets",
+    "jet",
     "oil-and-water",
     "drop",
     "tower",
@@ -92,8 +93,9 @@ pub fn load(name: &str, changes: &Changes) -> Result<LoadedScene, Failure> {
     }
     let refuse = |error| refusal(&text, &origin, changes, was_valid, error);
     let now = file.scene.check().map_err(refuse)?.derived().fluid_particles;
-    if now == 0 {
-        return Err(Failure::Call(format!("{}: blocks is empty, so the scene has no fluid", origin.display())));
+    if now == 0 && file.scene.emitters.is_empty() {
+        let why = "blocks and emitters are empty, so the scene has no fluid";
+        return Err(Failure::Call(format!("{}: {why}", origin.display())));
     }
     if let Some(particles) = changes.particles {
         scale(&mut file, now, particles)?;
@@ -175,6 +177,25 @@ fn scale(SceneFile { scene, gauges, .. }: &mut SceneFile, now: usize, particles:
         grow(&mut field.low);
         field.spacing = (f64::from(field.spacing) * factor) as f32;
     }
+    for emitter in &mut scene.emitters {
+        grow(&mut emitter.position);
+        let (Opening::Square(width) | Opening::Circle(width)) = &mut emitter.opening;
+        *width = (f64::from(*width) * factor) as f32;
+    }
+    for drain in &mut scene.drains {
+        match drain {
+            Drain::Box { low, high } => {
+                grow(low);
+                grow(high);
+            }
+            Drain::Ball { centre, radius } => {
+                grow(centre);
+                *radius = (f64::from(*radius) * factor) as f32;
+            }
+        }
+    }
+    let volume = factor.powi(scene.dimension.count() as i32);
+    scene.spare_particles = (f64::from(scene.spare_particles) * volume).ceil() as u32;
     if let Some(air) = &mut scene.air {
         // the layer of air grows with the surface
         let surface = factor.powi(scene.dimension.count() as i32 - 1);

@@ -7,6 +7,7 @@ mod formulas;
 mod plainest;
 mod surroundings;
 mod time;
+mod turnover;
 
 use millpond::check::matrix::scenes;
 use millpond_core::scene::Scene;
@@ -31,5 +32,6 @@ pub fn choices(base: &Scene) -> Vec<(String, Scene)> {
     fluids::fluids(&mut add);
     surroundings::surroundings(&mut add);
     closed_walls::closed_walls(&mut add);
+    turnover::turnover(&mut add);
     all
 }

@@ -1,5 +1,6 @@
 //! Counts of a scene: particles, nodes of its acceleration field, spring ends. They are computed so that no scene makes
 //! them overflow.
+use super::emission::points;
 use super::lattice_sums::MOST_SPACINGS;
 use super::sampling::lattice::{counts, volume};
 use super::sampling::walls::{wall_count, wall_layers};
@@ -13,8 +14,10 @@ pub(crate) struct Counts {
     pub(crate) fluid: u64,
     /// Wall particles.
     pub(crate) walls: u64,
-    /// Largest number of particles in the air layer.
-    pub(crate) air: u64,
+    /// Particles that are inactive at the start.
+    pub(crate) inactive: u64,
+    /// Points of all emitters.
+    pub(crate) emitter_points: u64,
     /// Layers of particles in a wall.
     pub(crate) wall_layers: u32,
 }
@@ -27,14 +30,15 @@ impl Counts {
         Counts {
             fluid: scene.blocks.iter().map(|block| volume(counts(block, scene))).fold(0, add),
             walls: scene.walls.iter().map(|wall| wall_count(wall, scene, wall_layers)).fold(0, add),
-            air: scene.air_capacity() as u64,
+            inactive: scene.inactive_at_start() as u64,
+            emitter_points: scene.emitters.iter().map(|emitter| points(scene, emitter).count() as u64).fold(0, add),
             wall_layers,
         }
     }
 
     /// Number of all particles.
     pub(crate) fn all(&self) -> u64 {
-        self.fluid.saturating_add(self.walls).saturating_add(self.air)
+        self.fluid.saturating_add(self.walls).saturating_add(self.inactive)
     }
 }
 

@@ -29,8 +29,10 @@ pub struct Derived {
     pub fluid_particles: usize,
     /// Number of wall particles, whose ids come next.
     pub wall_particles: usize,
-    /// Largest number of particles in the air layer, whose ids come last.
-    pub air_particles: usize,
+    /// Number of particles that are inactive at the start, whose ids come last: for the layer of air, and for emitters.
+    pub inactive_particles: usize,
+    /// Number of points of all emitters.
+    pub emitter_points: usize,
     /// Layers of particles in a wall: two with mirrored pressure (Hinsch 2024, section 6.3), three as dynamic boundary
     /// particles (Pirovano, section 3.5.3); more if the support radius reaches further.
     pub wall_layers: u32,
@@ -66,7 +68,8 @@ impl Derived {
             kinematic_viscosity,
             fluid_particles: counts.fluid as usize,
             wall_particles: counts.walls as usize,
-            air_particles: counts.air as usize,
+            inactive_particles: counts.inactive as usize,
+            emitter_points: counts.emitter_points as usize,
             wall_layers: counts.wall_layers,
             spring_ends: spring_ends(scene, scales),
             springs_of_particle: springs_of_particle(scene, scales, 0.0),
@@ -74,10 +77,10 @@ impl Derived {
         }
     }
 
-    /// Number of all particles: of fluids, of walls, and of air, which is inactive at the start.
+    /// Number of all particles: of fluids, of walls, and those that are inactive at the start.
     #[must_use]
     pub fn particles(&self) -> usize {
-        self.fluid_particles + self.wall_particles + self.air_particles
+        self.fluid_particles + self.wall_particles + self.inactive_particles
     }
 
     /// Constants of a fluid by index; those of the first fluid if there is none with this index.

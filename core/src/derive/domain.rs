@@ -33,7 +33,7 @@ pub(super) struct Axes {
 impl Axes {
     pub(super) fn of(scene: &Scene, scales: &Scales, [x, y, z]: [u32; 3]) -> Axes {
         // inactive particles lie in an additional cell, the last one, which no stencil reaches
-        let inactive_cells = u32::from(scene.air.is_some());
+        let inactive_cells = u32::from(scene.has_inactive());
         let inverse = (1.0 / scales.least_cell) as f32;
         let mut axes = Axes {
             cells: [x, y, z, x.wrapping_mul(y).wrapping_mul(z).wrapping_add(inactive_cells)],

@@ -1,5 +1,5 @@
 //! The particles of a scene at its start: cell centres of a lattice, block after block, then wall after wall, x
-//! fastest; last the inactive air particles.
+//! fastest; last the inactive ones.
 use super::derived::Derived;
 use super::hydrostatic::hydrostatic_deviation;
 use super::material::{FIRST_BLOCK, INACTIVE};
@@ -8,7 +8,7 @@ use super::sampling::walls::wall_particles;
 use crate::scene::{Dimension, InitialParticle, Scene};
 use glam::Vec3;
 
-/// All particles of a scene in order of their ids: fluids, walls, then the inactive air particles.
+/// All particles of a scene in order of their ids: fluids, walls, then the inactive ones.
 pub(crate) fn initial_particles(scene: &Scene, derived: &Derived) -> impl Iterator<Item = InitialParticle> {
     // a linear congruential generator (Numerical Recipes): any fixed sequence would do
     let mut seed = 1u32;
@@ -36,14 +36,14 @@ pub(crate) fn initial_particles(scene: &Scene, derived: &Derived) -> impl Iterat
         }
         particle
     });
-    fluid.chain(wall_particles(scene, derived.wall_layers)).chain(air(scene))
+    fluid.chain(wall_particles(scene, derived.wall_layers)).chain(inactive(scene))
 }
 
-/// Inactive air particles. They take no part in any sum, so their position does not matter.
-fn air(scene: &Scene) -> impl Iterator<Item = InitialParticle> {
+/// Inactive particles. They take no part in any sum, so their position does not matter.
+fn inactive(scene: &Scene) -> impl Iterator<Item = InitialParticle> {
     let mut corner = scene.blocks.first().map_or(Vec3::ZERO, |block| block.corner);
     if scene.dimension == Dimension::Two {
         corner[2] = 0.0;
     }
-    core::iter::repeat_n(InitialParticle::of_fluid(INACTIVE, corner, [0.0; 3]), scene.air_capacity())
+    core::iter::repeat_n(InitialParticle::of_fluid(INACTIVE, corner, [0.0; 3]), scene.inactive_at_start())
 }

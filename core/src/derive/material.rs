@@ -1,5 +1,5 @@
 //! Indices of materials. The fourth number of a particle's velocity is the index of its material, which selects the row
-//! of its constants. First come the fluids, then the blocks with their own viscosity, the walls, and the inactive air
+//! of its constants. First come the fluids, then the blocks with their own viscosity, the walls, and the inactive
 //! particles.
 use crate::layout::MATERIALS;
 use crate::scene::{BLOCKS, FLUIDS, Scene, WALLS};
@@ -10,11 +10,11 @@ pub(crate) const FIRST_BLOCK: u32 = FLUIDS as u32;
 /// First material of the walls.
 pub(crate) const FIRST_WALL: u32 = FIRST_BLOCK + BLOCKS as u32;
 
-/// The material of inactive air particles.
+/// The material of inactive particles.
 pub(crate) const INACTIVE: u32 = MATERIALS as u32 - 1;
 
-/// Value that inactive air particles have where wall particles have a 1. Particles with any value above 0 are held, and
-/// this value distinguishes inactive air from walls.
+/// Value that inactive particles have where wall particles have a 1. Particles with any value above 0 are held, and
+/// this value distinguishes inactive particles from walls.
 pub(crate) const INACTIVE_ROLE: f32 = 2.0;
 
 const _: () = assert!((FIRST_WALL as usize) + WALLS <= INACTIVE as usize, "room for every material");
@@ -26,7 +26,7 @@ pub enum Material {
     Fluid(u32),
     /// A wall, by index.
     Wall(u32),
-    /// Inactive air.
+    /// Inactive: it takes no part in anything.
     Inactive,
 }
 
@@ -35,7 +35,7 @@ pub enum Material {
 #[must_use]
 pub fn material_of(number: u32, scene: &Scene) -> Option<Material> {
     match number {
-        INACTIVE => scene.air.map(|_| Material::Inactive),
+        INACTIVE => scene.has_inactive().then_some(Material::Inactive),
         FIRST_WALL.. => {
             let wall = number - FIRST_WALL;
             scene.walls.get(wall as usize).map(|_| Material::Wall(wall))

@@ -36,7 +36,7 @@ fn rows(scene: &Scene, fluids: &[FluidConstants], of: impl Fn(&Fluid, &FluidCons
     rows
 }
 
-/// Viscosity (negative for that of the particle); 0 for fluids, 1 for walls, 2 for inactive air; rest density over that
+/// Viscosity (negative for that of the particle); 0 for fluids, 1 for walls, 2 for inactive particles; rest density over that
 /// of the first fluid; index of the fluid.
 fn properties(scene: &Scene, fluids: &[FluidConstants]) -> MaterialRows {
     let ratio = |fluid: &Fluid| fluid.rest_density / scene.first_fluid().rest_density;
@@ -51,7 +51,7 @@ fn properties(scene: &Scene, fluids: &[FluidConstants]) -> MaterialRows {
     for (material, wall) in rows[FIRST_WALL as usize..].iter_mut().zip(&scene.walls) {
         *material = [wall.dynamic_viscosity.unwrap_or(VISCOSITY_OF_PARTICLE), 1.0, material[2], wall.fluid as f32];
     }
-    // inactive air particles are held, so nothing acts on them
+    // inactive particles are held, so nothing acts on them
     rows[INACTIVE as usize][1] = INACTIVE_ROLE;
     rows
 }

@@ -8,6 +8,7 @@ pub(crate) mod bonds;
 pub(crate) mod counts;
 mod derived;
 pub(crate) mod domain;
+pub(crate) mod emission;
 mod fluid;
 mod hydrostatic;
 pub(crate) mod initial_particles;

@@ -1,6 +1,7 @@
 //! The constants that every pass reads, rounded once.
 use super::counts::{Counts, field_counts};
 use super::domain::Axes;
+use super::emission::drains;
 use super::kernel_constants::{laplacian, near_slope_constant, power, value};
 use super::materials::{CORRECTION_SOURCE, VISCOSITY_OF_PARTICLE};
 use super::scales::Scales;
@@ -20,6 +21,10 @@ const SOFTENING: f64 = 0.01 / 4.0;
 /// Largest distance over the particle spacing that a particle is shifted in a step (our choice; Lind et al. 2012 have
 /// 0.2 smoothing lengths).
 const SHIFT_LIMIT: f64 = 0.1;
+
+/// Distance over the particle spacing from all others that a new particle must have (our choice): one that is nearer is
+/// pushed away at once.
+pub(crate) const CLEARANCE: f32 = 0.75;
 
 /// Distance over H at which the Laplacian of a smooth kernel is evaluated for its value at distance zero. The Laplacian
 /// is an even function, so this is accurate to 1e-6.
@@ -54,7 +59,6 @@ pub(super) fn parameters(
         Shifting::TransportVelocity => 1.0,
     };
     let Elasticity { plasticity, break_at, .. } = scene.elasticity;
-    let air = scene.air.as_ref();
     let exchanged = model.viscosity == Viscosity::VelocityExchange;
     let container = scene.container.as_ref();
     let field = scene.acceleration_field.map_or([0.0; 4], |f| [f.low[0], f.low[1], f.low[2], 1.0 / f.spacing]);
@@ -119,11 +123,6 @@ pub(super) fn parameters(
         restitution: container.map_or(0.0, |c| c.restitution),
         slip: container.map_or(0.0, |c| c.slip),
         spacing: scene.particle_spacing,
-        air_threshold: air.map_or(0.0, |air| (f64::from(air.threshold) / support) as f32),
-        air_minimum: air.map_or(0.0, |air| air.minimum_density),
-        air_internal_energy: air.map_or(0.0, |air| scene.fluid_of(air.fluid).internal_energy),
-        air_fluid: air.map_or(0.0, |air| air.fluid as f32),
-        first_air: counts.all().saturating_sub(counts.air) as u32,
         speed_limit_length: limits.speed,
         acceleration_limit_length: limits.acceleration,
         sound_limit_length: limits.sound,
@@ -134,6 +133,25 @@ pub(super) fn parameters(
         max_time_step_growth: adaptive.max_growth,
         reject_ratio: adaptive.reject_ratio.unwrap_or(0.0),
         closed_planes: if scene.has_closed_walls() { plane_count } else { 0 },
+        ..coming_and_going(scene, counts, support)
+    }
+}
+
+/// The constants of particles that come and go; all others are 0.
+fn coming_and_going(scene: &Scene, counts: &Counts, support: f64) -> Parameters {
+    let air = scene.air.as_ref();
+    Parameters {
+        drains: drains(scene),
+        clearance2: scene.particle_spacing * scene.particle_spacing * (CLEARANCE * CLEARANCE),
+        air_threshold: air.map_or(0.0, |air| (f64::from(air.threshold) / support) as f32),
+        air_minimum: air.map_or(0.0, |air| air.minimum_density),
+        air_internal_energy: air.map_or(0.0, |air| scene.fluid_of(air.fluid).internal_energy),
+        air_fluid: air.map_or(0.0, |air| air.fluid as f32),
+        first_spare: counts.all().saturating_sub(counts.inactive) as u32,
+        emitter_count: scene.emitters.len() as u32,
+        emitter_points: counts.emitter_points as u32,
+        drain_count: scene.drains.len() as u32,
+        ..Zeroable::zeroed()
     }
 }
 

@@ -3,9 +3,11 @@
 mod field;
 mod restore;
 mod scene;
+mod spawn;
 mod step;
 
 pub use field::Field;
 pub use restore::RestoreError;
 pub use scene::SceneError;
+pub use spawn::SpawnError;
 pub use step::StepError;

@@ -69,10 +69,10 @@ pub fn cell_of(p: &Parameters, position: f32x4) -> Result<u32, u32> {
     Ok(cell_index(p, c))
 }
 
-/// Returns whether this is the cell of inactive air particles. It is the last cell, and no stencil includes it.
+/// Returns whether this is the cell of inactive particles. It is the last cell, and no stencil includes it.
 #[inline(always)]
 pub(crate) fn is_inactive_cell(m: &Model, p: &Parameters, cell: usize) -> bool {
-    m.has_air == 1 && cell + 1 == p.cells[3] as usize
+    m.has_inactive == 1 && cell + 1 == p.cells[3] as usize
 }
 
 /// The particles sorted by cell: those of cell `c` lie in `counter[c]` slots from `start[c]` on.

@@ -15,7 +15,7 @@ mod tables;
 
 pub use materials::{MATERIALS, MaterialRows, Materials};
 pub use model::Model;
-pub use parameters::{PLANES, Parameters};
+pub use parameters::{DRAIN_ROWS, PLANES, Parameters};
 pub use status::{MOST_ATTEMPTS, NONE, QUANTITIES_OF_ID, Status};
 pub use step_uniform::StepUniform;
 pub use tables::{TABLE_ENTRIES, TABLE_WORDS, TABLES, Tables};
@@ -28,6 +28,8 @@ pub type u32x4 = [u32; 4];
 pub type u32x2 = [u32; 2];
 /// The penalty planes of a scene: normal and offset of each.
 pub type Planes = [f32x4; PLANES];
+/// The drains of a scene: two rows of each.
+pub type DrainRows = [f32x4; DRAIN_ROWS];
 
 /// Threads in a GPU work group.
 pub const WORKGROUP: u32 = 64;

@@ -75,6 +75,12 @@ shared! {
         pub is_plastic: u32,
         /// 1: there is a layer of air.
         pub has_air: u32,
+        /// 1: particles come and go by emitters, drains or the host.
+        pub has_turnover: u32,
+        /// 1: there are emitters.
+        pub has_emitters: u32,
+        /// 1: particles can be inactive: with air, or if they come and go.
+        pub has_inactive: u32,
         /// 1: internal energy is tracked.
         pub has_internal_energy: u32,
         /// 1: XSPH: particles move with a velocity nearer to that of their neighbours.

@@ -1,5 +1,8 @@
 //! The constants of a scene, computed once on the CPU and passed to both backends bit by bit.
-use super::{Planes, f32x4, shared, u32x4};
+use super::{DrainRows, Planes, f32x4, shared, u32x4};
+
+/// Number of rows of the drains, two for each.
+pub const DRAIN_ROWS: usize = 16;
 
 /// Largest number of penalty planes in a scene.
 pub const PLANES: usize = 6;
@@ -30,6 +33,9 @@ shared! {
         /// Velocities with which the planes slide, m/s; w: dynamic viscosity at the plane in Pa s, negative for that of
         /// the particle.
         pub plane_velocities: Planes,
+        /// Two rows per drain: the centre of a ball, m, and its squared radius, m2, or the lowest corner of a box, m,
+        /// and 0; the highest corner of a box, m, with w unused.
+        pub drains: DrainRows,
         /// Number of all particles.
         pub particle_count: u32,
         /// Number of penalty planes in use.
@@ -126,6 +132,8 @@ shared! {
         pub slip: f32,
         /// Particle spacing at the start, m.
         pub spacing: f32,
+        /// Squared distance from all others that a new particle must have, m2.
+        pub clearance2: f32,
         /// Length of the colour gradient of all fluids together above which a particle of liquid is exposed, 1/m.
         pub air_threshold: f32,
         /// Share of its rest density below which an air particle is removed.
@@ -134,8 +142,14 @@ shared! {
         pub air_internal_energy: f32,
         /// Index of the fluid that the air is.
         pub air_fluid: f32,
-        /// First id of the particles of the air layer, whose ids are the last.
-        pub first_air: u32,
+        /// First id of the particles that can be inactive: those of the layer of air, whose ids are the last, or all.
+        pub first_spare: u32,
+        /// Number of emitters.
+        pub emitter_count: u32,
+        /// Number of points of all emitters.
+        pub emitter_points: u32,
+        /// Number of drains.
+        pub drain_count: u32,
         /// `C H` of the criterion by speed: distance that the fastest particle may travel in a step, m.
         pub speed_limit_length: f32,
         /// `C^2 H` of the criterion by acceleration, m.

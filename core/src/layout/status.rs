@@ -47,6 +47,18 @@ shared! {
         pub refused: u32,
         /// Spawn requests of all accepted steps for which no inactive particle was left.
         pub air_refused: u32,
+        /// Requests of the current step whose place was taken.
+        pub blocked: u32,
+        /// Particles that became active in the current step.
+        pub born: u32,
+        /// Particles that became inactive in the current step.
+        pub removed: u32,
+        /// Requests of all accepted steps whose place was taken.
+        pub total_blocked: u32,
+        /// Particles that became active in all accepted steps.
+        pub total_born: u32,
+        /// Particles that became inactive in all accepted steps.
+        pub total_removed: u32,
         /// Active particles of the air layer after the current step.
         pub alive: u32,
         /// Active particles of the air layer after the last accepted step.

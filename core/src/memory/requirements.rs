@@ -27,16 +27,20 @@ pub(super) const LINE_WORDS: usize = 16;
 /// The counts that determine the lengths of arrays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// All particles, including wall particles and inactive air particles.
+    /// All particles, including wall particles and inactive ones.
     pub particles: usize,
-    /// Number of cells; with air one more than the grid has, for inactive particles.
+    /// Number of cells; one more than the grid has if particles can be inactive.
     pub cells: usize,
     /// Words of the neighbour lists per particle.
     pub list_words: usize,
     /// Number of spring ends, two per spring.
     pub spring_ends: usize,
-    /// Largest number of air particles.
-    pub air: usize,
+    /// Number of particles that can become active: those of the layer of air, or all.
+    pub spares: usize,
+    /// Number of emitters.
+    pub emitters: usize,
+    /// Number of points of all emitters.
+    pub emitter_points: usize,
     /// Number of nodes of the acceleration field supplied by the caller.
     pub field_nodes: usize,
 }
@@ -66,7 +70,9 @@ impl Requirements {
             cells: derived.parameters.cells[3] as usize,
             list_words: list_words(derived.average_neighbours),
             spring_ends: if model.has_springs == 1 { derived.spring_ends } else { 0 },
-            air: derived.air_particles,
+            spares: if scene.has_turnover() { derived.particles() } else { derived.inactive_particles },
+            emitters: scene.emitters.len(),
+            emitter_points: derived.emitter_points,
             field_nodes: derived.field_counts[3] as usize,
         };
         Requirements { model, counts }
@@ -94,7 +100,8 @@ impl Requirements {
     /// Number of entries of an array; 0 if it does not exist.
     #[must_use]
     pub fn entries(&self, array: Array) -> usize {
-        let Counts { particles, cells, list_words, spring_ends, air, field_nodes } = self.counts;
+        let Counts { particles, cells, list_words, spring_ends, spares, emitters, emitter_points, field_nodes } =
+            self.counts;
         if !array.exists(&self.model) {
             return 0;
         }
@@ -104,7 +111,9 @@ impl Requirements {
             Unit::CellPlace => cells.saturating_mul(self.model.cell_places as usize),
             Unit::NeighbourWord => particles.saturating_mul(list_words),
             Unit::SpringEnd => spring_ends,
-            Unit::SpawnRequest => particles.saturating_add(air),
+            Unit::SpawnRequest => particles.saturating_add(spares),
+            Unit::Emitter => emitters,
+            Unit::EmitterRow => emitter_points.saturating_mul(2),
             Unit::FieldPoint => field_nodes,
             Unit::TableWord => TABLE_WORDS,
         }

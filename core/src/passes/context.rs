@@ -1,6 +1,7 @@
 //! The input that every pass gets, and the results that passes record about a step as a whole.
 use super::columns::Columns;
 use crate::arithmetic::level::Simd;
+use crate::census::Flux;
 use crate::executor::AnyExecutor;
 use crate::layout::{Materials, Model, Parameters, Status, StepUniform, Tables, f32x4};
 use crate::memory::{Given, Scratch, State};
@@ -55,8 +56,8 @@ pub(crate) struct Found {
     pub residual: f32,
     /// Whether the pressure iteration has converged.
     pub converged: bool,
-    /// Number of spawn requests for air that were refused, because no inactive particle was left.
-    pub refused: u32,
+    /// The particles that come and go in the step.
+    pub flux: Flux,
     pub maxima: Maxima,
 }
 
@@ -75,7 +76,14 @@ impl Found {
     /// Returns the empty result of a step that follows `steps` earlier steps.
     pub(crate) fn nothing(steps: u32) -> Found {
         let status = Status::fine(steps);
-        Found { status, iterations: 0, residual: 0.0, converged: false, refused: 0, maxima: Maxima::default() }
+        Found {
+            status,
+            iterations: 0,
+            residual: 0.0,
+            converged: false,
+            flux: Flux::default(),
+            maxima: Maxima::default(),
+        }
     }
 }
 

@@ -111,7 +111,7 @@ impl Particles<'_> {
     /// acceleration.
     #[inline(always)]
     pub(crate) fn are_walls(&self, setup: &Setup<'_>, first: usize, last: usize) -> bool {
-        let held = setup.model.wall_particles != 0 || setup.model.has_air == 1;
+        let held = setup.model.wall_particles != 0 || setup.model.has_inactive == 1;
         held && self.velocity[first..=last].iter().all(|v| is_wall(setup.materials, v[3]))
     }
 

@@ -24,8 +24,8 @@
 //! - material: the fluid, block, wall or inactive air that a particle belongs to. The fourth number of its velocity is
 //!   the number of its material.
 //! - exposed particle: a liquid particle at the free surface.
-//! - inactive particle: an air particle that is currently unused. Inactive particles have no effect, and all of them
-//!   lie in the last cell.
+//! - inactive particle: one that is currently unused: air, one of an emitter, or one that a drain has taken. Inactive
+//!   particles have no effect, and all of them lie in the last cell.
 pub(crate) mod beyond;
 mod by_model;
 mod candidates;
@@ -40,6 +40,7 @@ mod listing;
 pub(crate) mod lists;
 pub(crate) mod local;
 mod pairs;
+mod places;
 
 pub(crate) mod a_move {
     pub(crate) mod integrate_before;
@@ -80,6 +81,7 @@ pub(crate) mod e_pressure {
 }
 
 pub(crate) mod f_advance {
+    pub(crate) mod emit;
     pub(crate) mod integrate_after;
     pub(crate) mod internal_energy;
     pub(crate) mod predict_velocity;
@@ -90,7 +92,9 @@ pub(crate) mod f_advance {
 
 pub(crate) mod g_finish {
     pub(crate) mod commit;
+    pub(crate) mod leave;
     pub(crate) mod measure;
+    pub(crate) mod renew;
     pub(crate) mod spawn;
     pub(crate) mod validate;
 }

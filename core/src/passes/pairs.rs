@@ -84,7 +84,7 @@ pub(crate) fn run<P: PairPass>(
 /// slots.
 pub(crate) fn present(setup: &Setup<'_>, cells: Cells<'_>, particles: usize) -> usize {
     let last = cells.start.last().map_or(particles, |&slot| slot as usize);
-    if setup.model.has_air == 1 { last } else { particles }
+    if setup.model.has_inactive == 1 { last } else { particles }
 }
 
 impl<'a, P: PairPass> PairJob<'a> for Job<'a, P> {

@@ -41,6 +41,12 @@ macro_rules! with_arrays {
                 /// Inward normal of the surface of a particle's fluid, 1/m; w: curvature of the surface by the
                 /// Laplacian of the colour, 1/m, if the surface tension uses it. Only in scenes that compute normals.
                 normal as Normal: f32x4 per Particle, if |m| m.has_normals == 1;
+                /// Generation of a particle, which counts how often its id was used, and how long it still lives, s; z and
+                /// w unused. Only if particles come and go.
+                life as Life: f32x4 per Particle, if |m| m.has_turnover == 1, from life@old;
+                /// Time since the last layer of an emitter, s, what it lost to rounding, how long the emitter still
+                /// runs, s, and the number of its layers. Only with emitters.
+                emitter_state as Emission: f32x4 per Emitter, if |m| m.has_emitters == 1;
                 /// What the integrator needs of previous steps: the last displacement, m, or the previous acceleration,
                 /// m/s2; w unused. Only with integrators that need it.
                 history as History: f32x4 per Particle, if |m| has_history(m), from history@old;
@@ -105,8 +111,15 @@ macro_rules! with_arrays {
                 /// surface, else 0. Only with air.
                 total_colour_gradient: f32x4 per Particle, if |m| m.has_air == 1;
                 /// 1 for a particle beside which an air particle is requested, else 0; then, for the GPU, the queue of
-                /// these particles' slots. Only with air.
-                spawn_requested: u32 per SpawnRequest, if |m| m.has_air == 1;
+                /// all requests. Only if particles can be inactive.
+                spawn_requested: u32 per SpawnRequest, if |m| m.has_inactive == 1;
+                /// For each point of an emitter two rows: the position of the particle that is to be made there, m, and
+                /// how long it lives, s (0: none is to be made, -1: its place is taken); its velocity, m/s, and its
+                /// material. Only with emitters.
+                emission: f32x4 per EmitterRow, if |m| m.has_emitters == 1;
+                /// What becomes of a particle: 0: it stays as it is, 1: it becomes inactive, 2 and more: it becomes
+                /// that of a request, by number. Only if particles can be inactive.
+                fate: u32 per Particle, if |m| m.has_inactive == 1;
             }
             Given {
                 /// By id: first of a particle's spring ends, their number, and `k / (2 m)` in 1/s2 as the bits of an
@@ -118,6 +131,12 @@ macro_rules! with_arrays {
                 /// Nodes of the acceleration field supplied by the caller, m/s2, x fastest; w unused. Only in scenes
                 /// with such a field.
                 acceleration_field: f32x4 per FieldPoint, if |m| m.has_acceleration_field == 1;
+                /// Time between two layers of an emitter, s, and how long its particles live, s; z and w unused. Only
+                /// with emitters.
+                emitters: f32x4 per Emitter, if |m| m.has_emitters == 1;
+                /// For each point of an emitter two rows: its position, m, and the index of its emitter; the velocity
+                /// of its particles, m/s, and their material. Only with emitters.
+                emitter_points: f32x4 per EmitterRow, if |m| m.has_emitters == 1;
             }
         }
     };
@@ -137,8 +156,12 @@ pub enum Unit {
     NeighbourWord,
     /// An end of a spring.
     SpringEnd,
-    /// A particle; after these, each particle of air that the scene can have.
+    /// A particle; after these, each particle that can become active.
     SpawnRequest,
+    /// An emitter.
+    Emitter,
+    /// A row of a point of an emitter, of which each point has two.
+    EmitterRow,
     /// A node of the acceleration field supplied by the caller.
     FieldPoint,
     /// A word of the kernel tables.

@@ -96,7 +96,12 @@ impl Plan {
                 add(&["continuity_neighbour", "predicted_density_error", "pressure_corrected"], true);
             }
             Pass::SpawnRequests => add(&["spawn_position", "is_taken"], true),
-            Pass::Spawn => add(&["is_thin", "spawn_position"], true),
+            Pass::Emit => add(&["layer_leaves", "emitted_position", "is_taken"], true),
+            Pass::Leave => {
+                add(&["is_thin"], m.has_air == 1);
+                add(&["is_drained"], m.has_turnover == 1);
+            }
+            Pass::Renew => add(&["spawn_position"], m.has_air == 1),
             Pass::InternalEnergy => add(&["internal_energy_neighbour"], true),
             Pass::PredictVelocity => add(&["velocity_after"], true),
             Pass::IntegrateAfter => {
@@ -180,8 +185,9 @@ impl Plan {
             (m.has_springs == 0, "elasticity", "elastic_stiffness is 0 in every fluid"),
             (m.is_plastic == 0, "plasticity", "elasticity.plasticity and elasticity.break_at are not set"),
             (m.has_air == 0, "air", "air is not set"),
+            (m.has_emitters == 0, "emitters", "the scene has no emitters"),
+            (m.has_turnover == 0, "particles that come and go", "the scene has no emitters, drains or spare_particles"),
             (true, "bodies", "this version does not support them"),
-            (true, "emitters", "this version does not support them"),
         ];
         all.into_iter().filter(|(left_out, ..)| *left_out).map(|(_, what, why)| LeftOut { what, why }).collect()
     }

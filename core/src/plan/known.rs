@@ -6,9 +6,10 @@ use crate::terms::table::DIRECT;
 /// code that only other scenes need. Such code would take registers and stack even if it never ran.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Known {
-    /// One material, no wall particles and no periodic axis; kernels evaluated by formula, a constant support, no air.
+    /// One material, no wall particles and no periodic axis; kernels evaluated by formula, a constant support, no
+    /// particles that can be inactive.
     OneMaterial,
-    /// Any materials, masses and wall particles; no periodic axis; kernels, support and air as for `OneMaterial`.
+    /// Any materials, masses and wall particles; no periodic axis; kernels, support and activity as for `OneMaterial`.
     NoPeriods,
     /// At least one periodic axis; otherwise as for `NoPeriods`.
     Periods,
@@ -37,7 +38,7 @@ impl Known {
     /// The model with the assumed values as constants. It equals `model` if the case applies.
     #[inline(always)]
     pub(crate) const fn in_model(self, model: &Model) -> Model {
-        let usual = Model { evaluation: DIRECT, has_variable_support: 0, has_air: 0, tait_exponent: 7, ..*model };
+        let usual = Model { evaluation: DIRECT, has_variable_support: 0, has_inactive: 0, tait_exponent: 7, ..*model };
         match self {
             Known::OneMaterial => Model {
                 is_periodic: 0,

@@ -120,15 +120,27 @@ macro_rules! with_passes {
             /// Finds the particles that request an air particle beside them (with air).
             SpawnRequests: f_advance / spawn_requests, particles, reads, if |m| m.has_air == 1, [
                 read cell_start, read position@new, read total_colour_gradient, read id@new, write spawn_requested];
+            /// Finds the points of emitters at which a particle is to be made (with emitters).
+            Emit: f_advance / emit, particles, reads, if |m| m.has_emitters == 1, [
+                read cell_start, read position@new, read total_colour_gradient, read spawn_requested,
+                read emitter_points, read emitters, read emitter_state@old, write emitter_state@new, write emission];
             /// Advances velocities and positions to the end of the step, and applies the penalty planes: the second
             /// half of the integrator.
             IntegrateAfter: f_advance / integrate_after, particles, reads, if |m| m.integrates_after(), [
                 write position@new, write velocity@new, read acceleration@new, read start_acceleration,
                 read end_velocity, write history@new];
-            /// Spawns air where it is requested, and removes air that is too thin (with air).
-            Spawn: g_finish / spawn, group, counts, if |m| m.has_air == 1, [
+            /// Finds the particles that become inactive: air that is too thin, and what drains take (with air, emitters
+            /// or drains).
+            Leave: g_finish / leave, particles, reads, if |m| m.has_inactive == 1, [
+                read position@new, read velocity@new, read density_pressure@new, read id@new, write life@new,
+                write fate];
+            /// Gives each request an inactive particle, in the order of ids (with air, emitters or drains).
+            Spawn: g_finish / spawn, group, counts, if |m| m.has_inactive == 1, [
+                read velocity@new, read emission, write spawn_requested, read slot_of_id@new, write fate];
+            /// Sets the particles that come and go (with air, emitters or drains).
+            Renew: g_finish / renew, particles, reads, if |m| m.has_inactive == 1, [
                 write position@new, write velocity@new, write acceleration@new, write density_pressure@new,
-                read total_colour_gradient, write spawn_requested, read slot_of_id@new];
+                write life@new, read total_colour_gradient, read emission, read fate];
             /// Checks that an array of the new state is finite; runs once for each array.
             Validate: g_finish / validate, particles, counts, if |_| true, [read id@new];
             /// Finds the maxima that determine the next time step (with adaptive steps).

@@ -1,5 +1,5 @@
 //! The step as data: a list of commands that the CPU interprets, the GPU backend records, and reports print.
-use super::arrays::{Array, Side};
+use super::arrays::{Array, Side, Unit};
 use super::passes::Pass;
 use crate::layout::Model;
 use heapless::Vec;
@@ -67,11 +67,13 @@ pub fn schedule(m: &Model, iterations: u32) -> Schedule {
     commands
 }
 
-/// The commands that only evaluate forces, with time at rest or running backwards. They spawn no air and iterate no
-/// pressure, since there is no next density to correct.
+/// The commands that only evaluate forces, with time at rest or running backwards. No particles come or go in them, and
+/// they iterate no pressure, since there is no next density to correct.
 #[must_use]
 pub fn evaluation(m: &Model) -> Schedule {
-    let makes = |command: &Command| matches!(command.pass(), Some(Pass::SpawnRequests | Pass::Spawn));
+    let makes = |command: &Command| {
+        matches!(command.pass(), Some(Pass::SpawnRequests | Pass::Leave | Pass::Spawn | Pass::Renew))
+    };
     schedule(m, 0).into_iter().filter(|command| !makes(command)).collect()
 }
 
@@ -85,7 +87,8 @@ fn add(commands: &mut Schedule, m: &Model, passes: &[Pass], iterations: u32) {
                 gathers.for_each(|command| push(commands, command));
             }
             Pass::Validate => {
-                let floats = Array::of_state(m).filter(|array| array.is_vector());
+                let of_particles = |array: &Array| array.is_vector() && array.unit() == Unit::Particle;
+                let floats = Array::of_state(m).filter(of_particles);
                 floats.for_each(|array| push(commands, Command::Validate(array)));
             }
             Pass::PressureForce => {

@@ -8,6 +8,7 @@ mod choice;
 mod container;
 mod dimension;
 mod elasticity;
+mod emitter;
 mod fluid;
 mod grid;
 mod initial;
@@ -28,6 +29,7 @@ pub use choice::{
 pub use container::{Container, FACES, Face, PlaneModel, Reflection, Sliding};
 pub use dimension::Dimension;
 pub use elasticity::{Elasticity, Plasticity};
+pub use emitter::{DRAINS, Drain, EMITTERS, Emitter, Opening};
 pub use fluid::{Block, FLUIDS, Fluid};
 pub use grid::{Grid, GridStructure, Traversal};
 pub use initial::InitialParticle;
@@ -115,6 +117,18 @@ pub struct Scene {
     /// Layer of air around the liquid (default none).
     #[cfg_attr(feature = "serde", serde(default))]
     pub air: Option<Air>,
+    /// Emitters, which make particles during the run (default none).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub emitters: Vec<Emitter, EMITTERS>,
+    /// Drains, which take fluid particles out of the scene (default none).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub drains: Vec<Drain, DRAINS>,
+    /// Number of particles that are inactive at the start, for emitters and
+    /// [`Solver::spawn`](crate::Solver::spawn) to use (default 0). If none is left, a particle
+    /// is not made, and is counted in [`Flux::refused`](crate::Flux::refused). Particles that a drain has taken, or
+    /// whose life has ended, can be used again. Inactive ones take memory, but hardly any time.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub spare_particles: u32,
     /// The formulas and their coefficients.
     #[cfg_attr(feature = "serde", serde(default))]
     pub model: Formulation,
@@ -157,6 +171,9 @@ impl Scene {
             periodic: None,
             elasticity: Elasticity::default(),
             air: None,
+            emitters: Vec::new(),
+            drains: Vec::new(),
+            spare_particles: 0,
             model: Formulation::default(),
             grid: Grid::default(),
             adjustable: Vec::new(),
@@ -222,10 +239,21 @@ impl Scene {
         self.container.as_ref().is_some_and(|container| container.model == PlaneModel::ClosedForm)
     }
 
-    /// Largest number of particles in the layer of air. They have the last ids.
+    /// Number of particles that are inactive at the start: for the layer of air, and for emitters. They have the last
+    /// ids.
     #[must_use]
-    pub fn air_capacity(&self) -> usize {
-        self.air.map_or(0, |air| air.capacity as usize)
+    pub fn inactive_at_start(&self) -> usize {
+        self.air.map_or(0, |air| air.capacity as usize).saturating_add(self.spare_particles as usize)
+    }
+
+    /// Returns whether particles come and go by emitters, drains or the host.
+    pub(crate) fn has_turnover(&self) -> bool {
+        !self.emitters.is_empty() || !self.drains.is_empty() || self.spare_particles > 0
+    }
+
+    /// Returns whether particles can be inactive.
+    pub(crate) fn has_inactive(&self) -> bool {
+        self.air.is_some() || self.has_turnover()
     }
 
     /// Returns the equation of state of one of the scene's fluids.

@@ -36,12 +36,11 @@ pub fn spawn_position<R: Real>(m: &Model, p: &Parameters, position: vec3<R>, nor
     return wrap(m, p, flush3(position - normal * away));
 }
 
-/// Returns 1 where `x` is within 3/4 of a particle spacing of `place`, else 0. A new particle that close to another one
+/// Returns 1 where `x` is nearer to `place` than a new particle may be to others, else 0. A new particle that close to another one
 /// would be pushed away at once.
 #[inline(always)]
 pub fn is_taken<R: Real>(m: &Model, p: &Parameters, place: vec3<R>, x: vec3<R>) -> R {
-    let clearance: R = real(p.spacing * p.spacing * 0.5625);
-    return select(real(0.0), real(1.0), less(length2(separation(m, p, place, x)), clearance));
+    return select(real(0.0), real(1.0), less(length2(separation(m, p, place, x)), real(p.clearance2)));
 }
 
 /// Returns 1 for an air particle whose density is below the minimum, so that it is removed, else 0.

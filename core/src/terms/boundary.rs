@@ -11,11 +11,11 @@ pub fn depth_behind<R: Real>(position: vec3<R>, normal: vec3<R>, offset: R) -> R
     return offset - dot3(position, normal);
 }
 
-/// Returns `depth` for a fluid particle, and 0 for a wall particle or an inactive air particle, which planes do not
+/// Returns `depth` for a fluid particle, and 0 for a wall particle or an inactive particle, which planes do not
 /// move.
 #[inline(always)]
 pub fn depth_if_free<R: Real>(m: &Model, depth: R, wall: R) -> R {
-    if m.wall_particles + m.has_air == NO_WALLS {
+    if m.wall_particles + m.has_inactive == NO_WALLS {
         return depth;
     }
     return select(depth, real(0.0), less(real(0.0), wall));

@@ -27,6 +27,7 @@ pub mod correction;
 pub mod density;
 pub mod diffusion;
 pub mod elastic;
+pub mod emission;
 pub mod exchange;
 pub mod external;
 pub mod extrapolation;
@@ -49,8 +50,8 @@ pub mod viscosity;
 pub mod wall;
 pub mod xsph;
 
-texts!(air beyond boundary correction density diffusion elastic exchange external extrapolation geometry
-    internal_energy near neighbour pair pressure renormalisation shifting state support table tension time_step
+texts!(air beyond boundary correction density diffusion elastic emission exchange external extrapolation
+    geometry internal_energy near neighbour pair pressure renormalisation shifting state support table tension time_step
     viscosity wall xsph);
 
 /// Returns the name and text of every file of terms. The order is arbitrary, since WGSL does not depend on it.

@@ -63,20 +63,20 @@ pub fn unless_slipping<R: Real>(m: &Model, b: Local<R>, x: R) -> R {
     return select(x, real(0.0), slips);
 }
 
-/// Returns `x` for a fluid particle, and 0 for a wall particle or an inactive air particle.
+/// Returns `x` for a fluid particle, and 0 for a wall particle or an inactive particle.
 #[inline(always)]
 pub fn if_free<R: Real>(m: &Model, x: vec3<R>, wall: R) -> vec3<R> {
-    if m.wall_particles + m.has_air == NO_WALLS {
+    if m.wall_particles + m.has_inactive == NO_WALLS {
         return x;
     }
     let nothing: R = real(0.0);
     return only_if_free(m, vec3(nothing, nothing, nothing), x, wall);
 }
 
-/// Returns `free` for a particle that moves, and `held` for a wall particle or an inactive air particle.
+/// Returns `free` for a particle that moves, and `held` for a wall particle or an inactive particle.
 #[inline(always)]
 pub fn only_if_free<R: Real>(m: &Model, held: vec3<R>, free: vec3<R>, wall: R) -> vec3<R> {
-    if m.wall_particles + m.has_air == NO_WALLS {
+    if m.wall_particles + m.has_inactive == NO_WALLS {
         return free;
     }
     let is_held = less(real(0.0), wall);

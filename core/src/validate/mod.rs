@@ -6,6 +6,7 @@ mod bounds;
 mod checked;
 mod closed_walls;
 mod combinations;
+mod emission;
 mod ranges;
 mod scale;
 mod shapes;
@@ -44,6 +45,7 @@ impl Scene {
         shapes::walls(self, &counts)?;
         shapes::plane(self)?;
         combinations::check(self, &scales)?;
+        emission::check(self, &scales)?;
         let derived = Derived::of(self, &scales, &counts, cells);
         scale::check(self, &derived)?;
         Ok(Checked::new(self, derived))

@@ -47,6 +47,9 @@ pub(super) fn check(scene: &Scene) -> Result<(), SceneError> {
         (model.shifting != Shifting::Off, "model.shifting", once),
         (model.tensile_control, "model.tensile_control", once),
         (scene.air.is_some(), "air", once),
+        (!scene.emitters.is_empty(), "emitters", once),
+        (!scene.drains.is_empty(), "drains", once),
+        (scene.spare_particles > 0, "spare_particles", once),
     ];
     let first = refused.into_iter().find(|(is_asked, ..)| *is_asked);
     first.map_or(Ok(()), |(_, other, why)| Err(not_together("grid.traversal HalfStencil", other, why)))

@@ -41,7 +41,7 @@ pub fn scenes(base: &Scene) -> Vec<(&'static str, Scene)> {
         change(&mut scene);
         scene
     };
-    let capacity = base.air_capacity() as u32;
+    let capacity = base.inactive_at_start() as u32;
     vec![
         ("a drop", changed(&|_| ())),
         ("too little air", changed(&|s| s.air = s.air.map(|air| Air { capacity: capacity / 30, ..air }))),

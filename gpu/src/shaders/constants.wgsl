@@ -11,8 +11,8 @@ fn material_index(w: f32) -> u32 {
   return min(u32(w), MATERIALS - 1u);
 }
 fn properties_of(w: f32) -> f32x4 { return materials.properties[material_index(w)]; }
-// Returns whether a particle is an inactive air particle.
-fn is_inactive(w: f32) -> bool { return m.has_air == 1u && properties_of(w).y > 1.0f; }
+// Returns whether a particle is inactive.
+fn is_inactive(w: f32) -> bool { return m.has_inactive == 1u && properties_of(w).y > 1.0f; }
 fn stiffness_of(w: f32) -> Stiffness {
   let states = materials.states[material_index(w)];
   let corrections = materials.corrections[material_index(w)];

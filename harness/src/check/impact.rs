@@ -58,8 +58,8 @@ pub(super) const MODEL: Formulation = Formulation { alpha: ALPHA, ..WATER_WITH_S
 
 const STEPS_PER_SAMPLE: u64 = 5;
 
-/// Compared walls. The first ones have the limits.
-const WALLS: [Enclosure; 2] = [Enclosure::EXTRAPOLATED, Enclosure::CLOSED_FORM];
+/// Compared walls. The first ones, which are the default, have the limits.
+const WALLS: [Enclosure; 2] = [Enclosure::CLOSED_FORM, Enclosure::EXTRAPOLATED];
 
 /// Required limits with 76 particles over the depth: arrival at all sensors; peak, as a factor, and impulse at the
 /// first three. With 38 particles, and in a quick study: arrival at the first three.

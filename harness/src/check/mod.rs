@@ -24,6 +24,7 @@ mod column;
 mod dam_break_front;
 mod drop;
 mod elastic;
+mod emission;
 mod enclosure;
 mod evaluation;
 mod evidence;
@@ -54,6 +55,7 @@ mod swing;
 mod taylor_green;
 mod tensile;
 mod two_fluids;
+mod water_jet;
 
 pub use crate::outcome::{Metric, Outcome, Sense};
 
@@ -160,6 +162,11 @@ pub const STUDIES: &[Study] = &[
         about: "extreme inputs end in a valid state, or in a named error that leaves the state unchanged",
         run: extremes::run,
     },
+    Study {
+        name: "emission",
+        about: "what emitters make, and an exact ledger of the particles that come and go",
+        run: emission::run,
+    },
     Study { name: "hydrostatic", about: "pressure in a tank at rest, against rho0 g (H - y)", run: hydrostatic::run },
     Study {
         name: "still-tank",
@@ -236,6 +243,11 @@ pub const STUDIES: &[Study] = &[
         name: "impact",
         about: "pressure of a dam break on the far wall, against the experiment of Lobovsky et al. 2014",
         run: impact::run,
+    },
+    Study {
+        name: "water-jet",
+        about: "a jet of water falls: its axis, its section and its flow, against theory",
+        run: water_jet::run,
     },
     Study {
         name: "dam-break-front",

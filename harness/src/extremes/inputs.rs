@@ -4,8 +4,9 @@ use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
 use glam::Vec3;
 use millpond_core::scene::{
-    AccelerationField, AdaptiveTimeStep, Air, Container, Face, Fluid, Formulation, NearPressure, Periodic, PlaneModel,
-    Plasticity, Scene, Shifting, Sliding, SupportRange, SurfaceTension, Wall, WallShape, Wind,
+    AccelerationField, AdaptiveTimeStep, Air, Container, Drain, Emitter, Face, Fluid, Formulation, GridStructure,
+    NearPressure, Opening, Periodic, PlaneModel, Plasticity, Scene, Shifting, Sliding, SupportRange, SurfaceTension,
+    Wall, WallShape, Wind,
 };
 
 /// Number of particles of a case, and number of steps if it starts.
@@ -74,6 +75,20 @@ const NUMBERS: &[(&str, Number)] = &[
     ("elasticity.break_at", |s| Some(elastic(s).break_at.get_or_insert(1.0))),
     ("air.threshold", |s| Some(&mut air(s)?.threshold)),
     ("air.minimum_density", |s| Some(&mut air(s)?.minimum_density)),
+    ("emitters[0].position", |s| emitter(s)?.position.as_mut().first_mut()),
+    ("emitters[0].direction", |s| emitter(s)?.direction.as_mut().first_mut()),
+    ("emitters[0].speed", |s| Some(&mut emitter(s)?.speed)),
+    ("emitters[0].opening", |s| match &mut emitter(s)?.opening {
+        Opening::Square(width) | Opening::Circle(width) => Some(width),
+    }),
+    ("emitters[0].spread_degrees", |s| Some(&mut emitter(s)?.spread_degrees)),
+    ("emitters[0].start", |s| Some(&mut emitter(s)?.start)),
+    ("emitters[0].duration", |s| Some(emitter(s)?.duration.get_or_insert(1.0))),
+    ("emitters[0].life", |s| Some(emitter(s)?.life.get_or_insert(1.0))),
+    ("drains[0].low", |s| Some(&mut drained(s)?.0[0])),
+    ("drains[0].high", |s| Some(&mut drained(s)?.1[0])),
+    ("drains[0].centre", |s| Some(&mut ball(s)?.0[0])),
+    ("drains[0].radius", |s| Some(ball(s)?.1)),
     ("model.surface_threshold", |s| Some(&mut s.model.surface_threshold)),
     ("model.correction.tolerance", |s| Some(&mut s.model.correction.tolerance)),
     ("adaptive.speed", |s| adaptive(s).speed.as_mut()),
@@ -190,6 +205,44 @@ fn elastic(scene: &mut Scene) -> &mut millpond_core::scene::Elasticity {
 
 fn plastic(scene: &mut Scene) -> &mut Plasticity {
     elastic(scene).plasticity.get_or_insert(Plasticity { rate: 1.0, yield_strain: 0.1 })
+}
+
+fn emitter(scene: &mut Scene) -> Option<&mut Emitter> {
+    if scene.emitters.is_empty() {
+        let middle = scene.container.as_ref().map_or(Vec3::ZERO, |container| (container.low + container.high) / 2.0);
+        let emitter = Emitter::jet(middle, Vec3::NEG_Y, 1.0, Opening::Square(scene.particle_spacing));
+        scene.spare_particles = 10;
+        scene.emitters = [emitter].into_iter().collect();
+        indexed(scene);
+    }
+    scene.emitters.first_mut()
+}
+
+fn drained(scene: &mut Scene) -> Option<(&mut Vec3, &mut Vec3)> {
+    if scene.drains.is_empty() {
+        scene.drains = [Drain::Box { low: Vec3::splat(-2.0), high: Vec3::splat(-1.0) }].into_iter().collect();
+        indexed(scene);
+    }
+    match scene.drains.first_mut()? {
+        Drain::Box { low, high } => Some((low, high)),
+        Drain::Ball { .. } => None,
+    }
+}
+
+fn ball(scene: &mut Scene) -> Option<(&mut Vec3, &mut f32)> {
+    if scene.drains.is_empty() {
+        scene.drains = [Drain::Ball { centre: Vec3::splat(-2.0), radius: 0.1 }].into_iter().collect();
+        indexed(scene);
+    }
+    match scene.drains.first_mut()? {
+        Drain::Ball { centre, radius } => Some((centre, radius)),
+        Drain::Box { .. } => None,
+    }
+}
+
+/// Particles that come and go need the index sort.
+fn indexed(scene: &mut Scene) {
+    scene.grid.structure = GridStructure::IndexSort;
 }
 
 fn air(scene: &mut Scene) -> Option<&mut Air> {

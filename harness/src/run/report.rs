@@ -39,6 +39,8 @@ pub struct Outcome {
     pub pressure_correction: Option<PressureCorrection>,
     /// The layer of air after the last step; absent if the scene has no air.
     pub air: Option<Air>,
+    /// Particles that came and went; absent in scenes without emitters and drains.
+    pub turnover: Option<Turnover>,
     /// State hash after the last step.
     pub hash: String,
     /// Warnings about the scene and the run.
@@ -122,6 +124,21 @@ pub struct Air {
     pub refused: u64,
 }
 
+/// Particles that came and went during the run.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Turnover {
+    /// Number of active particles at the end.
+    pub active: u32,
+    /// Particles that emitters made.
+    pub born: u64,
+    /// Particles that drains took, or whose life ended.
+    pub removed: u64,
+    /// Particles that were not made because their place was taken.
+    pub blocked: u64,
+    /// Particles that were not made because no spare particle was left.
+    pub refused: u64,
+}
+
 /// Formats the result as a Markdown page.
 #[must_use]
 pub fn report(named: &LoadedScene, outcome: &Outcome) -> String {
@@ -160,6 +177,10 @@ pub fn report(named: &LoadedScene, outcome: &Outcome) -> String {
     }
     if let Some(Air { alive, refused }) = o.air {
         row("air", format!("{alive} particles, {refused} spawn requests refused"));
+    }
+    if let Some(Turnover { active, born, removed, blocked, refused }) = o.turnover {
+        row("particles that came and went", format!("{born} made, {removed} removed, {active} active at the end"));
+        row("particles not made", format!("{blocked} whose place was taken, {refused} without a spare particle"));
     }
     for Shown { name, unit, smallest, largest, last } in &o.gauges {
         row(name, format!("{last} {unit} last, {smallest} to {largest}"));

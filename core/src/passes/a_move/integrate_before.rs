@@ -58,7 +58,7 @@ impl Work for &mut Job<'_> {
             if drifts(m) {
                 place = drift(place, load(old.drift_velocity, first, last), real(u.time_step));
             }
-            if m.wall_particles != 0 || m.has_air == 1 {
+            if m.wall_particles != 0 || m.has_inactive == 1 {
                 place = only_if_free(m, x, place, row_of(m, &materials.properties, old.velocity, first, last, 1));
             }
             let own = first - self.slots.start..end - self.slots.start;

@@ -2,7 +2,7 @@
 //! cell: the number of particles of that cell that were counted before it.
 //!
 //! Counting is serial, since it takes only one increment per particle. On a GPU the ranks depend on the order of
-//! threads; the pass `sort_by_id` removes that dependence. Inactive air particles go to the last cell, whatever their
+//! threads; the pass `sort_by_id` removes that dependence. Inactive particles go to the last cell, whatever their
 //! position.
 use crate::arithmetic::lanes::Lanes;
 use crate::arithmetic::level::Work;
@@ -67,7 +67,8 @@ impl Work for &mut Job<'_> {
         for first in (0..self.cell.len()).step_by(R::LANES) {
             let end = (first + R::LANES).min(self.cell.len());
             let row = |lane: usize| &self.position[(first + lane).min(end - 1)];
-            let cells = if self.setup.model.has_air == 0 { cells_of::<R>(self.setup.parameters, row) } else { None };
+            let cells =
+                if self.setup.model.has_inactive == 0 { cells_of::<R>(self.setup.parameters, row) } else { None };
             match cells {
                 Some(cells) => self.cell[first..end].copy_from_slice(&cells[..end - first]),
                 None => self.one_by_one(first..end),
@@ -82,7 +83,7 @@ impl Job<'_> {
     fn one_by_one(&mut self, particles: Range<usize>) {
         let Setup { model: m, parameters: p, materials, .. } = self.setup;
         for i in particles {
-            if m.has_air == 1 && is_inactive(materials, self.velocity[i][3]) {
+            if m.has_inactive == 1 && is_inactive(materials, self.velocity[i][3]) {
                 self.cell[i] = p.cells[3] - 1;
                 continue;
             }

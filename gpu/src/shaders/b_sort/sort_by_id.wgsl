@@ -8,7 +8,7 @@ fn pass_body(a: u32) {
   let id = old_id[a];
   let first = cell_start[own];
   var slot = first;
-  if m.has_air == 1u && own == p.cells.w - 1u {
+  if m.has_inactive == 1u && own == p.cells.w - 1u {
     // inactive particles need no order, and there may be too many of them to count
     slot = first + rank[a];
   } else {

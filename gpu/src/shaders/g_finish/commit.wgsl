@@ -43,6 +43,9 @@ fn shorten() {
   atomicStore(&head.status.not_finite, NONE);
   atomicStore(&head.status.iterations, 0u);
   atomicStore(&head.status.refused, 0u);
+  atomicStore(&head.status.blocked, 0u);
+  atomicStore(&head.status.born, 0u);
+  atomicStore(&head.status.removed, 0u);
   atomicStore(&head.status.pressure_converged, 0u);
   atomicStore(&head.status.max_speed_squared, 0u);
   atomicStore(&head.status.max_acceleration_squared, 0u);
@@ -70,6 +73,9 @@ fn pass_body(thread: u32) {
   }
   let iterations = atomicExchange(&head.status.iterations, 0u);
   let refused = atomicExchange(&head.status.refused, 0u);
+  let blocked = atomicExchange(&head.status.blocked, 0u);
+  let born = atomicExchange(&head.status.born, 0u);
+  let removed = atomicExchange(&head.status.removed, 0u);
   atomicStore(&head.status.pressure_converged, 0u);
   if !counts() {
     if atomicLoad(&head.status.undone) < MOST_ATTEMPTS {
@@ -85,7 +91,10 @@ fn pass_body(thread: u32) {
   atomicStore(&head.status.last_iterations, iterations);
   atomicStore(&head.status.last_residual, atomicLoad(&head.status.left));
   atomicAdd(&head.status.total_iterations, iterations);
-  // the count saturates at its maximum
+  // the counts saturate at their maximum
   atomicAdd(&head.status.air_refused, min(refused, NONE - atomicLoad(&head.status.air_refused)));
+  atomicAdd(&head.status.total_blocked, min(blocked, NONE - atomicLoad(&head.status.total_blocked)));
+  atomicAdd(&head.status.total_born, min(born, NONE - atomicLoad(&head.status.total_born)));
+  atomicAdd(&head.status.total_removed, min(removed, NONE - atomicLoad(&head.status.total_removed)));
   atomicStore(&head.status.air_alive, atomicLoad(&head.status.alive));
 }

@@ -1,5 +1,5 @@
 //! The choices of a scene and their options.
-use super::scenes::{closed, falls, pulled, second_fluid, walls};
+use super::scenes::{closed, falls, fed, pulled, second_fluid, walls};
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     AccelerationField, AdaptiveTimeStep, Adjustable, Air, Correction, DensityDiffusion, DensityForm, Elasticity,
@@ -129,6 +129,7 @@ fn surroundings() -> Vec<Choice> {
             ],
         ),
         whether("wind", |s| s.wind = Some(Wind { velocity: Vec3::new(3.0, 1.0, 0.0), drag: 4.0 })),
+        whether("emitters and drains", fed),
         whether("ambient_density", |s| s.ambient_density = 400.0),
         whether("acceleration_field", |s| {
             s.acceleration_field = Some(AccelerationField { low: Vec3::ZERO, spacing: 0.3, counts: [3, 3, 3] });

@@ -2,7 +2,7 @@
 //! that a plan can leave out, and on a device. `tests/every_choice_keeps_its_bits.rs` has each choice alone; here are
 //! those faults that only two choices together have.
 //!
-//! Few scenes contain many pairs ([`cover`](cover::cover)). If the paths of a scene part, choices are taken back as long
+//! Few scenes contain many pairs (`cover.rs`). If the paths of a scene part, choices are taken back as long
 //! as they do, and the report names those that remain.
 mod choices;
 mod cover;

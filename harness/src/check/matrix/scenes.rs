@@ -1,8 +1,8 @@
 //! The scene against which choices are made, and features that several choices need to have an effect.
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
-    Block, Container, Dimension, Face, Fluid, Formulation, Grid, NearPressure, PlaneModel, Recipe, Scene, Sliding,
-    SurfaceTension, Wall, WallShape,
+    Block, Container, Dimension, Drain, Emitter, Face, Fluid, Formulation, Grid, NearPressure, Opening, PlaneModel,
+    Recipe, Scene, Sliding, SurfaceTension, Wall, WallShape,
 };
 /// Returns a scene in which every choice has an effect: two blocks that collide above a floor, with gravity.
 pub fn base(dimension: Dimension) -> Scene {
@@ -54,6 +54,15 @@ pub fn closed(s: &mut Scene) {
         let velocity = Vec3::new(0.5, 0.0, 0.0);
         container.sliding = [Sliding { face: Face::Floor, velocity }].into_iter().collect();
     }
+}
+
+/// Adds an emitter beside the blocks, whose particles live for a while, and a drain where the blocks meet.
+pub fn fed(s: &mut Scene) {
+    let z = if s.dimension == Dimension::Three { 0.2 } else { 0.0 };
+    let jet = Emitter::jet([0.12, 0.65, z], [1.0, -0.5, 0.0], 4.0, Opening::Circle(0.16));
+    s.emitters = [Emitter { life: Some(0.02), ..jet }].into_iter().collect();
+    s.drains = [Drain::Ball { centre: Vec3::new(0.4, 0.2, z), radius: 0.08 }].into_iter().collect();
+    s.spare_particles = 60;
 }
 
 /// Adds walls of particles: a box that is open above and whose surfaces slide along x.
