@@ -12,8 +12,8 @@ use millpond_gpu::{Gpu, GpuSolver, Mode};
 mod support;
 use support::device;
 
-/// Scenes with much state to save: an adaptive time step, corrected pressure, plastic springs, air, an emitter, and two integrators
-/// with a history.
+/// Scenes with much state to save: an adaptive time step, corrected pressure, plastic springs, air, an emitter, and two
+/// integrators with a history.
 const SCENES: &[&str] = &["stiff-tank", "corrected-column", "elastic-cube", "oil-and-water", "jet", "dam-break-2d"];
 
 fn scene(name: &str) -> Scene {

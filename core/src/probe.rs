@@ -1,5 +1,5 @@
-//! Probes: pressure, velocity and density of the fluid at a point, and the level of its surface, for the caller. Nothing
-//! here is part of a step.
+//! Probes: pressure, velocity and density of the fluid at a point, and the level of its surface, for the caller.
+//! Nothing here is part of a step.
 use crate::arithmetic::real::vec3;
 use crate::neighbours::Neighbours;
 use crate::passes::field;
@@ -25,7 +25,8 @@ pub struct Sample {
     pub velocity: Vec3,
     /// Density, kg/m3.
     pub density: f32,
-    /// Share of the kernel's support that the fluid fills: about 1 inside the fluid, and 1/2 on its surface and on walls.
+    /// Share of the kernel's support that the fluid fills: about 1 inside the fluid, and 1/2 on its surface and on
+    /// walls.
     pub share: f32,
 }
 
@@ -64,9 +65,9 @@ impl Neighbours<'_, '_> {
     }
 
     /// Height of the fluid's surface above a point along `up`, m: the greatest height at which the fluid fills half of
-    /// the kernel's support. `None` where there is no fluid above the point, or if `up` is 0. Single drops in the air do
-    /// not count. Less than a support radius away from a wall that is parallel to `up` the height is too low, since a
-    /// part of the support lies behind the wall.
+    /// the kernel's support. `None` where there is no fluid above the point, or if `up` is 0. Single drops in the air
+    /// do not count. Less than a support radius away from a wall that is parallel to `up` the height is too low, since
+    /// a part of the support lies behind the wall.
     #[must_use]
     pub fn level(&self, point: Vec3, up: Vec3) -> Option<f32> {
         let up = up.try_normalize()?;
@@ -91,8 +92,8 @@ impl Neighbours<'_, '_> {
         None
     }
 
-    /// Returns the greatest height of a fluid particle below a height, among those less than a support radius beside the
-    /// line through a point.
+    /// Returns the greatest height of a fluid particle below a height, among those less than a support radius beside
+    /// the line through a point.
     fn highest_below(&self, point: Vec3, up: Vec3, most: f32) -> Option<f32> {
         let support = self.solver.parameters().support;
         let heights = self.solver.fluid_positions().filter_map(|position| {

@@ -1,6 +1,6 @@
 //! What a solver needs besides its arrays to continue, and the fingerprint that identifies the scene of saved bytes.
-use crate::census::Flux;
 use crate::clock::SteadyTime;
+use crate::flux::Flux;
 use crate::hash::Fnv;
 use crate::layout::{Materials, Model, Parameters, Status};
 use crate::live::{LiveScene, LiveValues};

@@ -89,8 +89,8 @@ impl Solver<'_> {
         Ok(ParticleId { index, generation: *generation as u32 })
     }
 
-    /// Removes a fluid particle, from the next step on. Returns false, and changes nothing, if it is not there any more,
-    /// if it belongs to a wall, or if no particle of the scene can be inactive.
+    /// Removes a fluid particle, from the next step on. Returns false, and changes nothing, if it is not there any
+    /// more, if it belongs to a wall, or if no particle of the scene can be inactive.
     pub fn remove(&mut self, particle: ParticleId) -> bool {
         let Some(slot) = self.slot_of(particle) else { return false };
         self.census.removed += 1;

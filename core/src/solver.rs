@@ -1,11 +1,11 @@
 //! The solver: a scene in memory lent by the caller, advanced step by step.
 use crate::arithmetic::level::Simd;
-use crate::census::Flux;
 use crate::clock::{Clock, SteadyTime, TimeReport, set_step};
 use crate::derive::emission::fill_emitters;
 use crate::derive::kernel_tables::fill_tables;
 use crate::error::{SceneError, StepError};
 use crate::executor::{AnyExecutor, Executor};
+use crate::flux::Flux;
 use crate::hash::{full_state_hash, state_hash};
 use crate::layout::{MOST_ATTEMPTS, Materials, Model, Parameters, Status, StepUniform, f32x4, u32x2};
 use crate::live::{Constants, LiveScene};
@@ -126,7 +126,8 @@ impl<'m> Solver<'m> {
             memory,
         };
         fill_tables(scene, solver.memory.given.kernel_tables);
-        fill_emitters(scene, &mut solver.memory.given);
+        let given = &mut solver.memory.given;
+        fill_emitters(scene, given.emitters, given.emitter_points);
         solver.memory.given.acceleration_field.fill([0.0; 4]);
         solver.fill(scene, particles)?;
         solver.evaluate(None)?;

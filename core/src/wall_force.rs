@@ -65,8 +65,8 @@ impl Neighbours<'_, '_> {
     }
 
     /// Force of the fluid on a wall of the scene, N (per metre of depth in 2D): the reaction to the forces of pressure,
-    /// viscosity and tension that the particles of the wall exert, at the present positions (tensile control left out). `wall` is its index in
-    /// [`Scene::walls`](crate::scene::Scene::walls); a wall that does not exist feels no force.
+    /// viscosity and tension that the particles of the wall exert, at the present positions (tensile control left out).
+    /// `wall` is its index in [`Scene::walls`](crate::scene::Scene::walls); a wall that does not exist feels no force.
     #[must_use]
     pub fn force_on_wall(&self, wall: usize) -> Vec3 {
         if wall >= WALLS {

@@ -29,8 +29,8 @@ fn full_box(dimension: Dimension, model: Formulation) -> Scene {
     scene
 }
 
-/// Returns by how much the part of the kernel beyond two planes at right angles, at the distances `s` H, differs from the
-/// product of the parts beyond each of them.
+/// Returns by how much the part of the kernel beyond two planes at right angles, at the distances `s` H, differs from
+/// the product of the parts beyond each of them.
 fn corner_error(kernel: Kernel, d: usize, s: [f64; 2]) -> f64 {
     // beyond both planes, in slices parallel to the second
     let both = integral(&|x| {
@@ -41,8 +41,8 @@ fn corner_error(kernel: Kernel, d: usize, s: [f64; 2]) -> f64 {
     (both - parts[0] * parts[1]).abs()
 }
 
-/// Returns the integral of the kernel over that part of the plane at the distance `u` H that lies beyond a second plane at
-/// right angles to it, at the distance `s` H; times H.
+/// Returns the integral of the kernel over that part of the plane at the distance `u` H that lies beyond a second plane
+/// at right angles to it, at the distance `s` H; times H.
 fn slice_beyond(kernel: Kernel, d: usize, u: f64, s: f64) -> f64 {
     let radius = (1.0 - u * u).max(0.0).sqrt();
     if s >= radius {

@@ -17,6 +17,7 @@ pub mod extremes;
 pub mod failure;
 pub mod fluid;
 pub mod frames;
+pub mod gauge;
 pub mod gauges;
 pub mod nearest;
 mod outcome;

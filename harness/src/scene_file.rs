@@ -1,5 +1,5 @@
 //! What a scene file holds: a scene, how long it runs, and how it is drawn.
-use crate::gauges::Gauge;
+use crate::gauge::Gauge;
 use millpond_core::scene::Scene;
 use serde::{Deserialize, Serialize};
 

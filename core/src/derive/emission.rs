@@ -1,7 +1,6 @@
 //! The points of emitters and the rows of drains, computed once from the scene.
 use super::material::INACTIVE;
 use crate::layout::{DRAIN_ROWS, DrainRows, f32x4};
-use crate::memory::Given;
 use crate::scene::{DRAINS, Dimension, Drain, Emitter, Opening, Scene};
 use glam::DVec3;
 
@@ -85,9 +84,9 @@ pub(crate) fn state_at_start(scene: &Scene, emitter: &Emitter) -> f32x4 {
 }
 
 /// Fills the arrays of the emitters that steps only read.
-pub(crate) fn fill_emitters(scene: &Scene, given: &mut Given<'_>) {
-    let mut rows = given.emitter_points.chunks_exact_mut(2);
-    for (number, (emitter, own)) in scene.emitters.iter().zip(given.emitters.iter_mut()).enumerate() {
+pub(crate) fn fill_emitters(scene: &Scene, emitters: &mut [f32x4], rows: &mut [f32x4]) {
+    let mut rows = rows.chunks_exact_mut(2);
+    for (number, (emitter, own)) in scene.emitters.iter().zip(emitters.iter_mut()).enumerate() {
         *own = [interval(scene, emitter), emitter.life.unwrap_or(f32::MAX), 0.0, 0.0];
         for (point, rows) in points(scene, emitter).zip(&mut rows) {
             rows[0] = point.place.as_vec3().extend(number as f32).to_array();

@@ -36,8 +36,8 @@ fn rows(scene: &Scene, fluids: &[FluidConstants], of: impl Fn(&Fluid, &FluidCons
     rows
 }
 
-/// Viscosity (negative for that of the particle); 0 for fluids, 1 for walls, 2 for inactive particles; rest density over that
-/// of the first fluid; index of the fluid.
+/// Viscosity (negative for that of the particle); 0 for fluids, 1 for walls, 2 for inactive particles; rest density
+/// over that of the first fluid; index of the fluid.
 fn properties(scene: &Scene, fluids: &[FluidConstants]) -> MaterialRows {
     let ratio = |fluid: &Fluid| fluid.rest_density / scene.first_fluid().rest_density;
     let mut rows = rows(scene, fluids, |fluid, _| [fluid.dynamic_viscosity, 0.0, ratio(fluid), 0.0]);

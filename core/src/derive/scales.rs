@@ -67,8 +67,8 @@ pub fn support_radius(scene: &Scene) -> f64 {
     }
 }
 
-/// Speed of sound of a fluid at rest, m/s: the fluid's own; or `sqrt(gamma k / rho0)` if the fluid sets Hinsch's constant k
-/// of Tait's equation; or what the time step allows, if the scene sets `stiffness_for_time_step`.
+/// Speed of sound of a fluid at rest, m/s: the fluid's own; or `sqrt(gamma k / rho0)` if the fluid sets Hinsch's
+/// constant k of Tait's equation; or what the time step allows, if the scene sets `stiffness_for_time_step`.
 ///
 /// Like [`support_radius`] it can be computed while other fields of a scene are still to be chosen.
 #[must_use]

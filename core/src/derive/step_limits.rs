@@ -5,8 +5,8 @@ use crate::scene::{AdaptiveTimeStep, Block, Fluid, Scene, Viscosity};
 
 /// Largest kinematic viscosity of a scene, m2/s. For a pair it is the mean viscosity, or that of the wall, over the
 /// smaller rest density, since the lighter of two particles is accelerated more. For the artificial viscosity it is
-/// `alpha h c / (2 (d + 2))` (Monaghan 1992), with the support radius for h, and for both together their sum. It is 0 for
-/// velocity exchange, which does not limit the time step.
+/// `alpha h c / (2 (d + 2))` (Monaghan 1992), with the support radius for h, and for both together their sum. It is 0
+/// for velocity exchange, which does not limit the time step.
 pub(super) fn kinematic_viscosity(scene: &Scene, scales: &Scales, fluids: &[FluidConstants]) -> f64 {
     let largest = |all: &mut dyn Iterator<Item = f64>| all.fold(0.0, f64::max);
     let artificial = || {

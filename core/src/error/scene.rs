@@ -272,8 +272,8 @@ impl fmt::Display for SceneError {
                 write!(
                     f,
                     "container is {width} m wide along {axis}, but with container.model ClosedForm it must be at least \
-                     {least} m wide, two support radii; make it wider, use a smaller particle_spacing, walls of particles, \
-                     or container.model Penalty"
+                     {least} m wide, two support radii; make it wider, use a smaller particle_spacing, walls of \
+                     particles, or container.model Penalty"
                 )
             }
             SceneError::OutOfPlane => write!(f, "dimension is 2D: gravity, positions, velocities, normals need z = 0"),

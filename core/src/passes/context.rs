@@ -1,8 +1,8 @@
 //! The input that every pass gets, and the results that passes record about a step as a whole.
 use super::columns::Columns;
 use crate::arithmetic::level::Simd;
-use crate::census::Flux;
 use crate::executor::AnyExecutor;
+use crate::flux::Flux;
 use crate::layout::{Materials, Model, Parameters, Status, StepUniform, Tables, f32x4};
 use crate::memory::{Given, Scratch, State};
 use crate::plan::schedule::Command;

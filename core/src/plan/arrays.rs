@@ -41,8 +41,8 @@ macro_rules! with_arrays {
                 /// Inward normal of the surface of a particle's fluid, 1/m; w: curvature of the surface by the
                 /// Laplacian of the colour, 1/m, if the surface tension uses it. Only in scenes that compute normals.
                 normal as Normal: f32x4 per Particle, if |m| m.has_normals == 1;
-                /// Generation of a particle, which counts how often its id was used, and how long it still lives, s; z and
-                /// w unused. Only if particles come and go.
+                /// Generation of a particle, which counts how often its id was used, and how long it still lives, s; z
+                /// and w unused. Only if particles come and go.
                 life as Life: f32x4 per Particle, if |m| m.has_turnover == 1, from life@old;
                 /// Time since the last layer of an emitter, s, what it lost to rounding, how long the emitter still
                 /// runs, s, and the number of its layers. Only with emitters.

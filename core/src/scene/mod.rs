@@ -10,6 +10,7 @@ mod dimension;
 mod elasticity;
 mod emitter;
 mod fluid;
+mod formulas;
 mod grid;
 mod initial;
 #[cfg(feature = "serde")]
@@ -64,7 +65,8 @@ pub struct Scene {
     #[cfg_attr(feature = "serde", serde(default))]
     pub average_neighbours: Option<f32>,
     /// Ratio of smoothing length to particle spacing, h/dx, as much of the literature gives it; the support radius is
-    /// twice the smoothing length. It replaces `average_neighbours`, and a scene with both is rejected (default `None`).
+    /// twice the smoothing length. It replaces `average_neighbours`, and a scene with both is rejected (default
+    /// `None`).
     #[cfg_attr(feature = "serde", serde(default))]
     pub smoothing_ratio: Option<f32>,
     /// Time step, s, larger than 0. With an adaptive time step it is the upper bound of the first step. The fluid

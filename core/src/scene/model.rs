@@ -3,6 +3,7 @@ use super::choice::{
     DensityDiffusion, DensityForm, EquationOfState, Evaluation, Integrator, Iteration, Kernel, NearPressure,
     PressureForce, PressureSolver, Shifting, SurfaceTension, Viscosity, WallPressure,
 };
+#[cfg(feature = "serde")]
 use super::recipe::Recipe;
 
 /// Defines the formulation, and the same fields as a scene file gives them: a recipe, and what differs from it.
@@ -34,8 +35,9 @@ macro_rules! formulation {
 formulation! {
     /// The formulas of a scene and their coefficients, which are the same for all fluids.
     ///
-    /// Start from a [`Recipe`] ([`Formulation::of`]) and change what differs. The default is [`Recipe::FreeSurface`];
-    /// the defaults named below are its choices. A scene file names the recipe by the field `recipe`.
+    /// Start from a [`Recipe`](super::Recipe) ([`Formulation::of`]) and change what differs. The default is
+    /// [`Recipe::FreeSurface`](super::Recipe::FreeSurface); the defaults named below are its choices. A scene file
+    /// names the recipe by the field `recipe`.
     pub struct Formulation {
         /// Time integration (default modified velocity Verlet). [`AdaptiveTimeStep`](super::AdaptiveTimeStep), air and
         /// pressure correction each work with some integrators only.
@@ -149,20 +151,6 @@ formulation! {
         /// The pressure that fluid particles see at wall particles (default that of the fluid around these,
         /// extrapolated).
         pub wall_pressure: WallPressure,
-    }
-}
-
-impl Formulation {
-    /// Returns the formulas for a kind of flow, or those of a source.
-    #[must_use]
-    pub const fn of(recipe: Recipe) -> Formulation {
-        recipe.formulation()
-    }
-}
-
-impl Default for Formulation {
-    fn default() -> Self {
-        Formulation::of(Recipe::default())
     }
 }
 

@@ -36,8 +36,8 @@ pub fn spawn_position<R: Real>(m: &Model, p: &Parameters, position: vec3<R>, nor
     return wrap(m, p, flush3(position - normal * away));
 }
 
-/// Returns 1 where `x` is nearer to `place` than a new particle may be to others, else 0. A new particle that close to another one
-/// would be pushed away at once.
+/// Returns 1 where `x` is nearer to `place` than a new particle may be to others, else 0. A new particle that close to
+/// another one would be pushed away at once.
 #[inline(always)]
 pub fn is_taken<R: Real>(m: &Model, p: &Parameters, place: vec3<R>, x: vec3<R>) -> R {
     return select(real(0.0), real(1.0), less(length2(separation(m, p, place, x)), real(p.clearance2)));

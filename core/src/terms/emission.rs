@@ -50,8 +50,8 @@ pub fn is_between<R: Real>(x: R, low: R, high: R) -> R {
     return select(select(nothing, real(1.0), less(low, x)), nothing, less(high, x));
 }
 
-/// Returns 1 for a position that a drain takes, else 0. A ball has its centre in `one`; a box, whose `radius2` is 0, has
-/// its lowest corner there and its highest in `other`.
+/// Returns 1 for a position that a drain takes, else 0. A ball has its centre in `one`; a box, whose `radius2` is 0,
+/// has its lowest corner there and its highest in `other`.
 #[inline(always)]
 pub fn is_drained<R: Real>(x: vec3<R>, one: vec3<R>, other: vec3<R>, radius2: R) -> R {
     let nothing: R = real(0.0);

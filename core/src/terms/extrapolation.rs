@@ -10,8 +10,8 @@ use super::wall::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters, StepUniform, Tables};
 
-/// Returns whether viscosity sees a velocity of walls that is extrapolated from the fluid. Artificial viscosity, and the
-/// exchange of velocities if it is the viscosity, see the wall's own.
+/// Returns whether viscosity sees a velocity of walls that is extrapolated from the fluid. Artificial viscosity, and
+/// the exchange of velocities if it is the viscosity, see the wall's own.
 #[inline(always)]
 pub fn extrapolates_velocity(m: &Model) -> bool {
     if m.wall_particles != EXTRAPOLATED {

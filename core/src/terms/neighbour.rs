@@ -51,8 +51,8 @@ pub fn along_pair<R: Real>(p: &Parameters, push: R, q: R, scale: R) -> R {
     return if_inside(q, over_distance(push * scale * p.inverse_support, q));
 }
 
-/// Returns `V |grad W| / r` of the pressure kernel for a pair, 1/m2 with a volume in m3 (m2 in 2D): then `-x_ab` times it
-/// is `V grad W`.
+/// Returns `V |grad W| / r` of the pressure kernel for a pair, 1/m2 with a volume in m3 (m2 in 2D): then `-x_ab` times
+/// it is `V grad W`.
 #[inline(always)]
 pub fn volume_gradient<R: Real>(
     m: &Model,

@@ -149,8 +149,8 @@ pub fn limited_shift<R: Real>(p: &Parameters, u: &StepUniform, velocity: vec3<R>
 }
 
 /// Returns the pressure with which a particle enters its own pressure force, Pa. Inside the fluid a negative pressure
-/// changes its sign, so that pairs exchange `P_b - P_a` and do not attract each other (Sun et al. 2018). Inside is where
-/// lambda is above 0.9, between its values in the second row and further inside (see [`inside_share`]).
+/// changes its sign, so that pairs exchange `P_b - P_a` and do not attract each other (Sun et al. 2018). Inside is
+/// where lambda is above 0.9, between its values in the second row and further inside (see [`inside_share`]).
 #[inline(always)]
 pub fn pressure_without_tension<R: Real>(pressure: R, lambda: R) -> R {
     let is_inside = less(real(0.9), lambda);

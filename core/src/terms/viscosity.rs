@@ -25,7 +25,8 @@ pub const MUELLER_ADAPTED_VISCOSITY: u32 = ADAPTED_LAPLACIAN_VISCOSITY;
 /// The sum of [`MORRIS`] and, between fluid particles, of [`ARTIFICIAL`].
 pub const MORRIS_AND_ARTIFICIAL: u32 = 7;
 
-/// Returns whether the viscosity that a fluid is given acts: in all forms but those that have coefficients of their own.
+/// Returns whether the viscosity that a fluid is given acts: in all forms but those that have coefficients of their
+/// own.
 #[inline(always)]
 pub fn has_friction(m: &Model) -> bool {
     return m.viscosity != NO_VISCOSITY && m.viscosity != ARTIFICIAL && m.viscosity != VELOCITY_EXCHANGE;

@@ -2,9 +2,8 @@
 //! spins by one radian. It is stretched, and its pressure is negative throughout. Its kinetic energy and its angular
 //! momentum do not change. Fluid that is stretched tears where particles do not move into the gaps, and where the bar
 //! becomes thinner its rows come together.
-use super::flow::{checked, fluid, grid, heap_for, start_with, step, steps_to};
+use super::flow::{checked, closest_pair, fluid, grid, heap_for, start_with, step, steps_to};
 use super::formulas::SHIFTED;
-use super::tensile::closest_pair;
 use super::{Context, Metric};
 use crate::failure::Failure;
 use glam::{Vec2, Vec3};

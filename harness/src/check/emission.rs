@@ -1,8 +1,8 @@
 //! `emission`: what emitters make, and the ledger of particles that come and go.
 //!
-//! A jet flies through empty space. The mass that has left the opening follows from its size, the speed and the time, to
-//! one particle for an opening of one particle, and to one layer for a wider one. Then particles are made and taken away
-//! again many times: the ledger must be exact after every step, and the generations of all ids must add up to the
+//! A jet flies through empty space. The mass that has left the opening follows from its size, the speed and the time,
+//! to one particle for an opening of one particle, and to one layer for a wider one. Then particles are made and taken
+//! away again many times: the ledger must be exact after every step, and the generations of all ids must add up to the
 //! particles that were made.
 use super::flow::{checked, start_with};
 use super::{Context, Metric, Outcome};

@@ -78,8 +78,8 @@ pub(super) fn of_two_fluids(context: &Context) -> Result<Outcome, Failure> {
     study(context, "evidence-fluids", Recipe::SeveralFluids, &[two_fluids()], &WALLS, &SEVERAL_FLUIDS)
 }
 
-/// Runs all forms that differ from a recipe in walls and sums on some cases. The recipe, with walls in closed form, must
-/// give a result; its limits are those of the study `recipes`, whose cases are finer.
+/// Runs all forms that differ from a recipe in walls and sums on some cases. The recipe, with walls in closed form,
+/// must give a result; its limits are those of the study `recipes`, whose cases are finer.
 #[expect(clippy::unnecessary_wraps, reason = "a study returns a result")]
 fn study(
     context: &Context,

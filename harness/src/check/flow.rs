@@ -87,6 +87,19 @@ pub(super) fn larger(a: f64, b: f64) -> f64 {
     if a >= b || a.is_nan() { a } else { b }
 }
 
+/// Returns the smallest distance between two particles, m.
+pub(super) fn closest_pair(solver: &mut Solver<'_>) -> f64 {
+    let particles: Vec<Particle> = solver.particles().collect();
+    let mut closest = f32::INFINITY;
+    solver.neighbours().each_pair(|a, b| {
+        if a < b {
+            let distance = particles[a as usize].position.distance(particles[b as usize].position);
+            closest = closest.min(distance);
+        }
+    });
+    f64::from(closest)
+}
+
 /// Returns the root mean square speed of the fluid, m/s.
 pub(super) fn rms_speed(solver: &Solver<'_>) -> f64 {
     mean(&fluid(solver), |particle| f64::from(particle.velocity.length_squared())).sqrt()

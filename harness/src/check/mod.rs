@@ -69,7 +69,8 @@ use std::path::PathBuf;
 /// Options of `check`.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Options {
-    /// Name of a study, or all, which leaves out matrix and the evidence studies; without a name, the studies are listed
+    /// Name of a study, or all, which leaves out matrix and the evidence studies; without a name, the studies are
+    /// listed
     name: Option<String>,
     /// Coarser and shorter runs, for studies that have them
     #[arg(long)]

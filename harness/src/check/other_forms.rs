@@ -1,5 +1,5 @@
-//! `other-forms`: formulas that no other study holds to a reference: a wind, buoyancy, a gas, the viscosities other than
-//! that of Morris et al., the pressure forces, XSPH and a variable support.
+//! `other-forms`: formulas that no other study holds to a reference: a wind, buoyancy, a gas, the viscosities other
+//! than that of Morris et al., the pressure forces, XSPH and a variable support.
 use super::cases::{Case, sliding_wall, standing_wave, tank_settles};
 use super::enclosure::Enclosure;
 use super::flow::{checked, fluid, grid, larger, mean, start_with, step, steps_to};
@@ -29,9 +29,9 @@ const TIME: f64 = 0.5;
 const WIND_SPEED: f64 = 6e-4;
 const SPEED: f64 = 5e-5;
 
-/// A gas in a closed box: speed of sound over `sqrt(g H)`, spacing in a full and in a quick study, m, and required limit
-/// of the error of a layer's density, over that at the floor. The error is that of the walls, which continue the pressure
-/// linearly, and of first order: 2.65 and 1.46 %.
+/// A gas in a closed box: speed of sound over `sqrt(g H)`, spacing in a full and in a quick study, m, and required
+/// limit of the error of a layer's density, over that at the floor. The error is that of the walls, which continue the
+/// pressure linearly, and of first order: 2.65 and 1.46 %.
 const GAS_SOUND: f32 = 1.0;
 const SPACING: f32 = 0.02;
 const QUICK_SPACING: f32 = 0.04;

@@ -2,15 +2,15 @@
 //! pressure, becomes a sphere. Near pressure keeps its particles from clustering. Without near pressure they cluster.
 //!
 //! Then a bar of fluid that spins, with shifting and tensile control instead of near pressure: see [`bar`].
-use super::flow::{checked, fluid, grid, mean, start_with, step, steps_to};
+use super::flow::{checked, closest_pair, fluid, grid, mean, start_with, step, steps_to};
 use super::formulas::PIROVANO;
 use super::{Context, Metric, Outcome, bar};
 use crate::failure::Failure;
 use crate::outcome::table;
 use glam::Vec3;
 use millpond_core::OwnedMemory;
+use millpond_core::Particle;
 use millpond_core::scene::{Block, Dimension, Fluid, Formulation, NearPressure, Scene};
-use millpond_core::{Particle, Solver};
 
 const NAME: &str = "tensile";
 
@@ -118,19 +118,6 @@ fn evolve(context: &Context, near_pressure: NearPressure, end: f64) -> Result<Bl
         }
     })?;
     Ok(Blob { closest, density, roundness: [before, roundness(&fluid(&solver))] })
-}
-
-/// Returns the smallest distance between two particles, m.
-pub(super) fn closest_pair(solver: &mut Solver<'_>) -> f64 {
-    let particles: Vec<Particle> = solver.particles().collect();
-    let mut closest = f32::INFINITY;
-    solver.neighbours().each_pair(|a, b| {
-        if a < b {
-            let distance = particles[a as usize].position.distance(particles[b as usize].position);
-            closest = closest.min(distance);
-        }
-    });
-    f64::from(closest)
 }
 
 /// Returns the extent of the particles from their centre along the diagonals of a cube, divided by that along its axes.

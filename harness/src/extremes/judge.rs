@@ -81,8 +81,8 @@ pub fn judge(case: &Case, gpu: Option<&Gpu>) -> Result<Verdict, Failure> {
     on_paths(case, gpu, &[lanes])
 }
 
-/// Runs a case as [`judge`] does, and also with every term that its plan leaves out. Such terms have a coefficient of 0,
-/// so this is not for cases in which a term would be infinite.
+/// Runs a case as [`judge`] does, and also with every term that its plan leaves out. Such terms have a coefficient of
+/// 0, so this is not for cases in which a term would be infinite.
 ///
 /// # Errors
 /// A failure of the device.

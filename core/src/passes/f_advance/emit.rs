@@ -1,8 +1,8 @@
 //! Finds the points of emitters at which a particle is to be made, and advances the emitters. Runs only with emitters.
 //!
 //! A particle is not made where another one is too close, or where air is requested in the same step. Points of one
-//! layer are far enough from each other, and so are emitters (`validate/emission.rs`). There are few points, so the pass
-//! does not use SIMD.
+//! layer are far enough from each other, and so are emitters (`validate/emission.rs`). There are few points, so the
+//! pass does not use SIMD.
 use crate::arithmetic::real::vec3;
 use crate::executor::{Jobs, parts, shares, take};
 use crate::layout::f32x4;

@@ -1,5 +1,5 @@
-//! Sets the particles that come and go: those that leave become inactive, and those that were given to a request get its
-//! position, velocity and material. Runs only where particles can be inactive.
+//! Sets the particles that come and go: those that leave become inactive, and those that were given to a request get
+//! its position, velocity and material. Runs only where particles can be inactive.
 use super::leave::{FIRST_REQUEST, LEAVES, STAYS};
 use crate::arithmetic::real::vec3;
 use crate::derive::material::INACTIVE;

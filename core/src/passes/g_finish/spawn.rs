@@ -5,7 +5,7 @@
 //! particle, by id, that was inactive before this step. A particle that leaves in this step can be used from the next
 //! step on, when the data of its past is gone from the other passes too. The pass is serial, and visits each id once.
 use super::leave::{FIRST_REQUEST, LEAVES};
-use crate::census::Flux;
+use crate::flux::Flux;
 use crate::passes::context::Step;
 use crate::passes::f_advance::emit::BLOCKED;
 use crate::passes::lanes::is_inactive;

@@ -1,5 +1,6 @@
 // Finds the liquid particles beside which an air particle is to be made. CPU counterpart:
 // core/src/passes/f_advance/spawn_requests.rs.
+//
 // Returns whether an exposed particle with a smaller id gets an air particle at nearly the same position.
 fn is_late(a: u32, place: vec3<f32>) -> bool {
   let own = cell_of(place);

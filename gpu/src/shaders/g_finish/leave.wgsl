@@ -1,5 +1,5 @@
-// Finds the particles that become inactive: air that is too thin, particles whose life has ended, and those that a drain
-// takes. CPU counterpart: core/src/passes/g_finish/leave.rs.
+// Finds the particles that become inactive: air that is too thin, particles whose life has ended, and those that a
+// drain takes. CPU counterpart: core/src/passes/g_finish/leave.rs.
 fn drains(position: vec3<f32>) -> bool {
   for (var i = 0u; i < p.drain_count; i += 1u) {
     let one = p.drains[2u * i];

@@ -1,7 +1,7 @@
 // Gives each request for a new particle one that is inactive. CPU counterpart: core/src/passes/g_finish/spawn.rs. Uses
 // one work group. Each thread visits a range of the ids of all particles that may request air, a range of the points of
-// emitters, and a range of the ids that can be inactive. From the counts of the threads before it, it knows the index of
-// its first request and of its first inactive particle. The requests are queued behind the entries of
+// emitters, and a range of the ids that can be inactive. From the counts of the threads before it, it knows the index
+// of its first request and of its first inactive particle. The requests are queued behind the entries of
 // `spawn_requested`.
 var<workgroup> births: array<u32, WORKGROUP>;
 var<workgroup> emitted: array<u32, WORKGROUP>;

@@ -146,7 +146,8 @@ mod tests {
     #[test]
     fn every_pair_that_goes_together_is_covered_and_the_others_are_named() {
         let sizes = [2, 3, 4, 2, 5];
-        // option 1 of choice 0 does not go with option 2 of choice 1, and option 3 of choice 2 needs option 0 of choice 3
+        // option 1 of choice 0 does not go with option 2 of choice 1, and option 3 of choice 2 needs option 0 of choice
+        // 3
         let goes = |row: &[Option<usize>]| {
             !(row[0] == Some(1) && row[1] == Some(2)) && (row[2] != Some(3) || row[3] == Some(0))
         };
