@@ -3,8 +3,8 @@
 //! error that says so. (`tests/extremes_end_well.rs` tests that the errors name the fields.)
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
-    AccelerationField, Air, Block, Container, Dimension, Elasticity, Emitter, Fluid, Formulation, Grid, Opening,
-    Periodic, PlaneModel, Recipe, Scene, SupportRange, Wall, WallShape,
+    AccelerationField, Air, Block, BlockShape, Container, Dimension, Elasticity, Emitter, Fluid, Formulation, Grid,
+    Opening, Periodic, PlaneModel, Recipe, Scene, SupportRange, Wall, WallShape,
 };
 use millpond_core::{Axis, Plan, Requirements, SceneError, Solver, StepError, Storage};
 
@@ -14,7 +14,7 @@ const HOSTILE: [f32; 10] = [f32::NAN, f32::INFINITY, f32::MIN, f32::MAX, -1.0, 0
 type Change = fn(&mut Scene, f32);
 
 /// Changes of every number from which a length, a count or a number of iterations is derived.
-const CHANGES: [Change; 19] = [
+const CHANGES: [Change; 20] = [
     |s, x| s.particle_spacing = x,
     |s, x| s.average_neighbours = Some(x),
     |s, x| s.fluids[0].average_neighbours = Some(x),
@@ -25,6 +25,7 @@ const CHANGES: [Change; 19] = [
     |s, x| s.blocks.iter_mut().for_each(|block| block.size = Vec3::splat(x)),
     |s, x| s.blocks.iter_mut().for_each(|block| block.corner = Vec3::splat(x)),
     |s, x| s.blocks.iter_mut().for_each(|block| block.jitter = x),
+    |s, _| s.blocks.iter_mut().for_each(|block| block.shape = BlockShape::Ball),
     |s, x| s.blocks.iter_mut().for_each(|block| block.fluid = x as u32),
     |s, x| s.elasticity = Elasticity { reach: x, capacity: Some(x as u32), ..s.elasticity },
     |s, x| s.periodic = Some(Periodic { low: Vec3::ZERO, high: Vec3::splat(x), axes: [true; 3] }),

@@ -47,6 +47,7 @@ pub const BUILT_IN: &[(&str, &str)] = built_in!(
     "two-fluids",
     "two-jets",
     "jet",
+    "splash",
     "oil-and-water",
     "drop",
     "tower",

@@ -115,6 +115,7 @@ fn documents_have_the_keys_that_others_rely_on() {
         "two-fluids",
         "two-jets",
         "jet",
+        "splash",
         "oil-and-water",
         "drop",
         "tower",

@@ -2,7 +2,7 @@
 //! them overflow.
 use super::emission::points;
 use super::lattice_sums::MOST_SPACINGS;
-use super::sampling::lattice::{counts, volume};
+use super::sampling::lattice::particles;
 use super::sampling::walls::{wall_count, wall_layers};
 use super::scales::Scales;
 use crate::scene::{AccelerationField, Block, Dimension, Scene};
@@ -28,7 +28,7 @@ impl Counts {
         let wall_layers = wall_layers(scene, scales);
         let add = |all: u64, more: u64| all.saturating_add(more);
         Counts {
-            fluid: scene.blocks.iter().map(|block| volume(counts(block, scene))).fold(0, add),
+            fluid: scene.blocks.iter().map(|block| particles(block, scene)).fold(0, add),
             walls: scene.walls.iter().map(|wall| wall_count(wall, scene, wall_layers)).fold(0, add),
             inactive: scene.inactive_at_start() as u64,
             emitter_points: scene.emitters.iter().map(|emitter| points(scene, emitter).count() as u64).fold(0, add),
@@ -57,8 +57,7 @@ pub(crate) fn spring_ends(scene: &Scene, scales: &Scales) -> usize {
     let elastic = |block: &&Block| scene.fluid_of(block.fluid).elastic_stiffness > 0.0;
     let blocks = || scene.blocks.iter().filter(elastic);
     let jitter = blocks().map(|block| block.jitter).fold(0.0, f32::max);
-    let particles = blocks().map(|block| volume(counts(block, scene))).fold(0, u64::saturating_add);
-    let particles = particles as usize;
+    let particles = blocks().map(|block| particles(block, scene)).fold(0, u64::saturating_add) as usize;
     particles.saturating_mul(springs_of_particle(scene, scales, jitter).min(particles.saturating_sub(1)))
 }
 

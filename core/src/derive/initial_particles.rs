@@ -3,7 +3,7 @@
 use super::derived::Derived;
 use super::hydrostatic::hydrostatic_deviation;
 use super::material::{FIRST_BLOCK, INACTIVE};
-use super::sampling::lattice::{counts, indices};
+use super::sampling::lattice::cells;
 use super::sampling::walls::wall_particles;
 use crate::scene::{Dimension, InitialParticle, Scene};
 use glam::Vec3;
@@ -18,7 +18,7 @@ pub(crate) fn initial_particles(scene: &Scene, derived: &Derived) -> impl Iterat
     };
     let spacing = f64::from(scene.particle_spacing);
     let blocks = scene.blocks.iter().enumerate();
-    let fluid = blocks.flat_map(|(i, block)| indices(counts(block, scene)).map(move |index| (i, block, index)));
+    let fluid = blocks.flat_map(|(i, block)| cells(block, scene).map(move |index| (i, block, index)));
     let fluid = fluid.map(move |(i, block, index)| {
         let mut position = [0.0; 3];
         for axis in 0..scene.dimension.count() {

@@ -76,7 +76,18 @@ impl Default for Fluid {
     }
 }
 
-/// A box of fluid at the start. It is filled with particles at the centres of cubes whose edge is the particle
+/// Shape of a block.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum BlockShape {
+    /// The whole box.
+    #[default]
+    Box,
+    /// The ball (in 2D the disc) inscribed in the box; an ellipsoid if the extents differ.
+    Ball,
+}
+
+/// A body of fluid at the start. It is filled with particles at the centres of cubes whose edge is the particle
 /// spacing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
@@ -90,6 +101,9 @@ pub struct Block {
     /// Extents, m, larger than 0. They are rounded to whole particle spacings, at least one. In 2D the extent along z
     /// is ignored.
     pub size: Vec3,
+    /// Shape of the fluid within these extents (default the whole box).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub shape: BlockShape,
     /// Velocity at the start, m/s (default 0). In 2D its z component must be 0.
     #[cfg_attr(feature = "serde", serde(default))]
     pub velocity: Vec3,

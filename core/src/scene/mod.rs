@@ -31,7 +31,7 @@ pub use container::{Container, FACES, Face, PlaneModel, Reflection, Sliding};
 pub use dimension::Dimension;
 pub use elasticity::{Elasticity, Plasticity};
 pub use emitter::{DRAINS, Drain, EMITTERS, Emitter, Opening};
-pub use fluid::{Block, FLUIDS, Fluid};
+pub use fluid::{Block, BlockShape, FLUIDS, Fluid};
 pub use grid::{Grid, GridStructure, Traversal};
 pub use initial::InitialParticle;
 pub use model::{Correction, Formulation, SupportRange};

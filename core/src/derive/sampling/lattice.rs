@@ -1,5 +1,5 @@
 //! The lattice on which particles start. Its spacing is the scene's particle spacing.
-use crate::scene::{Block, Dimension, Scene};
+use crate::scene::{Block, BlockShape, Dimension, Scene};
 
 /// Number of particles of a block along x, y, z. Each number is rounded before they are multiplied.
 pub(crate) fn counts(block: &Block, scene: &Scene) -> [u64; 3] {
@@ -9,9 +9,57 @@ pub(crate) fn counts(block: &Block, scene: &Scene) -> [u64; 3] {
     [along(0), along(1), along(2)]
 }
 
+/// Largest number of cells of a box whose ball is counted cell by cell. A larger one has too many particles anyway.
+const MOST_CELLS: u64 = 1 << 30;
+
+/// Number of particles of a block. It is found quickly for any scene, checked or not.
+pub(crate) fn particles(block: &Block, scene: &Scene) -> u64 {
+    let counts = counts(block, scene);
+    let volume = volume(counts);
+    match block.shape {
+        BlockShape::Box => volume,
+        BlockShape::Ball if volume > MOST_CELLS => volume,
+        BlockShape::Ball => {
+            // along the longest axis the cells of a row are counted from its ends inwards
+            let mut sorted = counts;
+            sorted.sort_unstable();
+            let [rows, columns, length] = sorted;
+            let row = |i: u64, j: u64| {
+                let across = offset(i, rows) + offset(j, columns);
+                let outside = (0..length / 2).take_while(|&k| across + offset(k, length) > 1.0).count() as u64;
+                let middle = u64::from(length % 2 == 1 && across + offset(length / 2, length) > 1.0);
+                length - 2 * outside - middle
+            };
+            (0..rows).map(|i| (0..columns).map(|j| row(i, j)).sum::<u64>()).sum()
+        }
+    }
+}
+
 /// Product of the counts along each axis.
 pub(crate) fn volume(counts: [u64; 3]) -> u64 {
     counts.iter().fold(1, |all, &n| all.saturating_mul(n))
+}
+
+/// Squared distance of the centre of a cell from the middle of its row, over half of the row's length.
+fn offset(index: u64, count: u64) -> f64 {
+    let at = (2 * index + 1) as f64 / count as f64 - 1.0;
+    at * at
+}
+
+/// Returns whether a cell belongs to a block. In 2D there is one layer, whose offset is 0.
+fn belongs(block: &Block, index: [u64; 3], counts: [u64; 3]) -> bool {
+    let [x, y, z] = [0, 1, 2].map(|axis| offset(index[axis], counts[axis]));
+    // in the order in which the rows add them up
+    let mut sorted = [(counts[0], 0, x), (counts[1], 1, y), (counts[2], 2, z)];
+    sorted.sort_unstable_by_key(|(count, axis, _)| (*count, *axis));
+    let [a, b, c] = sorted.map(|(.., offset)| offset);
+    block.shape == BlockShape::Box || a + b + c <= 1.0
+}
+
+/// Indices of the cells of a block, the first index fastest.
+pub(crate) fn cells<'a>(block: &'a Block, scene: &Scene) -> impl Iterator<Item = [u64; 3]> + use<'a> {
+    let counts = counts(block, scene);
+    indices(counts).filter(move |index| belongs(block, *index, counts))
 }
 
 /// A length as a whole number of spacings.
