@@ -21,8 +21,8 @@ impl Solver<'_> {
     }
 
     /// How often the particle with this id was made, or `None` if there is no such particle. Together with the id it
-    /// identifies a particle: an id that is used again has another generation. Always 0 in scenes without emitters and
-    /// drains.
+    /// identifies a particle: an id that is used again has another generation. Always 0 in scenes without emitters,
+    /// drains and spare particles.
     #[must_use]
     pub fn generation(&self, id: u32) -> Option<u32> {
         let slot = *self.slots().get(id as usize)?;

@@ -3,6 +3,7 @@ use crate::arithmetic::real::vec3;
 use crate::derive::material::INACTIVE;
 use crate::error::SpawnError;
 use crate::grid::cell_of;
+use crate::passes::g_finish::renew::set;
 use crate::passes::lanes::is_inactive;
 use crate::solver::Solver;
 use crate::terms::air::is_taken;
@@ -20,7 +21,7 @@ pub struct NewParticle {
     pub position: Vec3,
     /// Velocity, m/s.
     pub velocity: Vec3,
-    /// How long it lives, s (`None`: until a drain or the host removes it).
+    /// How long it lives, s, larger than 0 (`None`: until a drain or the host removes it).
     pub life: Option<f32>,
 }
 
@@ -29,7 +30,7 @@ pub struct NewParticle {
 pub struct ParticleId {
     /// The particle's id, its place in the order of [`Solver::particles`].
     pub index: u32,
-    /// How often the id was used before: [`Solver::generation`].
+    /// How often the id was made active since the start: [`Solver::generation`].
     pub generation: u32,
 }
 
@@ -49,6 +50,9 @@ impl Solver<'_> {
         let numbers = [new.position, new.velocity].into_iter().flat_map(|v| v.to_array());
         if !numbers.chain(new.life).all(f32::is_finite) {
             return Err(SpawnError::NotFinite);
+        }
+        if new.life.is_some_and(|life| life <= 0.0) {
+            return Err(SpawnError::LifeNotPositive);
         }
         let fluids = self.live().fluids();
         if new.fluid >= fluids {
@@ -81,20 +85,26 @@ impl Solver<'_> {
         self.census.born += 1;
         let state = self.state_mut();
         state.position[slot] = [place.x, place.y, place.z, 1.0];
-        state.velocity[slot] = [velocity.x, velocity.y, velocity.z, new.fluid as f32];
-        state.acceleration[slot] = [0.0; 4];
-        state.density_pressure[slot] = [0.0, 0.0, 0.0, p.rest_volume];
+        set(p.rest_volume, state, slot, [velocity.x, velocity.y, velocity.z, new.fluid as f32]);
         let [generation, left, ..] = &mut state.life[slot];
         (*generation, *left) = (*generation + 1.0, new.life.unwrap_or(f32::MAX));
         Ok(ParticleId { index, generation: *generation as u32 })
     }
 
     /// Removes a fluid particle, from the next step on. Returns false, and changes nothing, if it is not there any
-    /// more, if it belongs to a wall, or if no particle of the scene can be inactive.
+    /// more, if it belongs to a wall, or if the scene has no spare particles, emitters or drains.
     pub fn remove(&mut self, particle: ParticleId) -> bool {
         let Some(slot) = self.slot_of(particle) else { return false };
         self.census.removed += 1;
-        self.state_mut().velocity[slot] = [0.0, 0.0, 0.0, INACTIVE as f32];
+        let rest_volume = self.parameters().rest_volume;
+        let state = self.state_mut();
+        set(rest_volume, state, slot, [0.0, 0.0, 0.0, INACTIVE as f32]);
+        // a step would do this, but the particle may be used again before the next one
+        for array in [&mut state.drift_velocity, &mut state.normal] {
+            if let Some(row) = array.get_mut(slot) {
+                *row = [0.0; 4];
+            }
+        }
         true
     }
 

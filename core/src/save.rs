@@ -29,7 +29,7 @@ fn saved(requirements: &Requirements) -> impl Iterator<Item = Array> + use<> {
     let model = *requirements.model();
     let is_saved = |array: &Array| match array.class() {
         Class::State => true,
-        Class::Given => *array != Array::kernel_tables,
+        Class::Given => !matches!(array, Array::kernel_tables | Array::emitters | Array::emitter_points),
         Class::Index | Class::Sorting | Class::Scratch => false,
     };
     Array::ALL.iter().copied().filter(move |array| is_saved(array) && array.exists(&model))

@@ -17,7 +17,8 @@ fn block(dimension: Dimension) -> Scene {
 fn with_drops(dimension: Dimension, drops: u8, look: impl FnOnce(&mut Solver<'_>)) {
     let scene = block(dimension);
     let scene = scene.check().expect("a scene");
-    let above = (0..drops).map(|i| InitialParticle::at([0.5, 1.5 + 1000.0 * f32::from(i), 0.0], [0.0; 3]));
+    let z = if dimension == Dimension::Three { 0.5 } else { 0.0 };
+    let above = (0..drops).map(|i| InitialParticle::at([0.5, 1.5 + 1000.0 * f32::from(i), z], [0.0; 3]));
     let places: Vec<InitialParticle> = scene.initial_particles().chain(above).collect();
     let mut heap = OwnedMemory::with(&Requirements::of(&scene).for_particles(places.len()));
     let solver = Solver::with_particles(&scene, Plan::of(&scene), places.len(), places, heap.lend());

@@ -2,7 +2,7 @@
 //! ledger is exact.
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{AdaptiveTimeStep, Block, Container, Dimension, Drain, Emitter, Fluid, Opening, Scene};
-use millpond_core::{Census, NewParticle, OwnedMemory, Serial, Solver, SpawnError};
+use millpond_core::{Census, NewParticle, OwnedMemory, RestoreError, Serial, Solver, SpawnError};
 
 const SPACING: f32 = 0.05;
 const SPEED: f32 = 2.0;
@@ -96,6 +96,7 @@ fn a_drain_takes_what_comes_and_nothing_else() {
     let direction = scene.emitters[0].direction.normalize();
     scene.drains = [Drain::Ball { centre: direction * 0.5, radius: 0.2 }].into_iter().collect();
     let census = run(&scene, 1000, |solver| {
+        assert_eq!(solver.fluid_positions().filter(|x| x.x < -1.0).count(), 16, "the block");
         let within = solver.fluid_positions().any(|x| (x - direction * 0.5).length() < 0.2);
         assert!(!within, "a particle in the drain after a step");
         assert!(solver.fluid_positions().all(|x| x.dot(direction) < 0.5), "a particle behind the drain");
@@ -155,7 +156,7 @@ fn ten_thousand_spawns_into_a_tank_cause_no_outburst() {
     let flux = solver.census().flux;
     assert!(flux.born == made && made > 300 && flux.blocked > 4000, "{flux:?}");
     // they fall through half a metre at most
-    let fastest = 2.0 * (9.81f32 * 0.5).sqrt();
+    let fastest = (2.0 * 9.81f32 * 0.5).sqrt();
     for _ in 0..1000 {
         solver.step(&Serial).expect("a step");
         let speed = solver.particles().filter(|a| !a.is_inactive).map(|a| a.velocity.length());
@@ -187,6 +188,7 @@ fn the_host_removes_a_particle_once_and_uses_its_id_again() {
         (NewParticle { velocity: Vec3::Z, ..above(0.2) }, SpawnError::OutOfPlane),
         (NewParticle { velocity: Vec3::NAN, ..above(0.2) }, SpawnError::NotFinite),
         (above(-0.2), SpawnError::BehindPlane),
+        (NewParticle { life: Some(0.0), ..above(0.2) }, SpawnError::LifeNotPositive),
     ];
     for (new, error) in wrong {
         assert_eq!(solver.spawn(&new), Err(error));
@@ -195,4 +197,26 @@ fn the_host_removes_a_particle_once_and_uses_its_id_again() {
     let mut heap = OwnedMemory::of(&tank(0).check().expect("a scene"));
     let mut solver = Solver::new(&tank(0), heap.lend()).expect("a scene");
     assert_eq!(solver.spawn(&above(0.2)), Err(SpawnError::NotPlanned));
+}
+
+#[test]
+fn saved_bytes_do_not_go_to_a_scene_with_another_emitter() {
+    let scene = jet(Dimension::Two, Opening::Square(0.1), 100);
+    let mut other = scene.clone();
+    other.emitters[0].speed *= 0.5;
+    let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
+    let mut solver = Solver::new(&scene, heap.lend()).expect("a scene");
+    (0..30).for_each(|_| solver.step(&Serial).expect("a step"));
+    let mut bytes = vec![0; solver.saved_bytes()];
+    solver.save(&mut bytes).expect("room");
+    let mut heap = OwnedMemory::of(&other.check().expect("a scene"));
+    let mut slow = Solver::new(&other, heap.lend()).expect("a scene");
+    assert_eq!(slow.restore(&bytes), Err(RestoreError::AnotherScene));
+    let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
+    let mut again = Solver::new(&scene, heap.lend()).expect("a scene");
+    again.restore(&bytes).expect("bytes of this scene");
+    for solver in [&mut solver, &mut again] {
+        (0..40).for_each(|_| solver.step(&Serial).expect("a step"));
+    }
+    assert_eq!(solver.full_hash(), again.full_hash(), "it goes on as if it had not been saved");
 }

@@ -5,21 +5,17 @@
 use millpond_core::SceneError;
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
-    AdaptiveTimeStep, Air, Container, DensityForm, Drain, Emitter, EquationOfState, Evaluation, Face, Fluid,
-    Formulation, GridStructure, Integrator, Iteration, Kernel, NearPressure, Opening, PlaneModel, PressureForce,
-    PressureSolver, Recipe, Scene, SupportRange, SurfaceTension, Traversal, Viscosity, Wall, WallShape,
+    AdaptiveTimeStep, Air, DensityForm, EquationOfState, Evaluation, Face, Fluid, Formulation, GridStructure,
+    Integrator, Iteration, Kernel, NearPressure, PressureForce, PressureSolver, Recipe, Scene, SupportRange,
+    SurfaceTension, Traversal, Viscosity, Wall, WallShape,
 };
 
+#[path = "support/combination.rs"]
+mod combination;
 #[path = "support/judged.rs"]
 mod judged;
+use combination::refused;
 use judged::judged as scene;
-
-/// Asserts that a scene with this change is rejected with this message.
-fn refused(sentence: &str, change: impl FnOnce(&mut Scene)) {
-    let told = scene(change).expect_err(sentence);
-    assert!(matches!(told, SceneError::NotTogether { .. }), "{told:?}");
-    assert_eq!(told.to_string(), sentence);
-}
 
 /// Adds a second fluid and a layer of air made of it.
 fn air(s: &mut Scene) {
@@ -420,57 +416,4 @@ fn what_the_half_stencil_cannot_do_by_name() {
     refused("model.radial_exchange", once, &|s| s.model.radial_exchange = 0.1);
     refused("model.xsph", once, &|s| s.model.xsph = 0.1);
     refused("air", once, &air);
-}
-
-#[test]
-fn emitters_and_drains_by_name() {
-    let jet = Emitter::jet([0.5, 0.8, 0.5], Vec3::NEG_Y, 1.0, Opening::Square(0.1));
-    let with = |change: fn(&mut Scene)| {
-        move |s: &mut Scene| {
-            s.container = Some(Container { model: PlaneModel::Penalty, ..Container::closed(Vec3::ZERO, Vec3::ONE) });
-            s.emitters = [jet].into_iter().collect();
-            s.spare_particles = 100;
-            change(s);
-        }
-    };
-    assert_eq!(scene(with(|_| ())), Ok(()));
-    refused(
-        "emitters[0].position conflicts with container: a part of the opening lies behind a plane of the container, \
-         where nothing is made; move the emitter into the container, make its opening smaller, or leave that face open",
-        with(|s| s.emitters[0].position.x = 0.02),
-    );
-    refused(
-        "emitters[0].position conflicts with drains: a drain would take the particles of this emitter as soon as they \
-         are made; move one of them",
-        with(|s| s.drains = [Drain::Ball { centre: Vec3::new(0.5, 0.8, 0.5), radius: 0.1 }].into_iter().collect()),
-    );
-    refused(
-        "emitters[1].position conflicts with another emitter: their openings overlap; move one of them, or make it \
-         smaller",
-        with(|s| {
-            let other = Emitter { position: s.emitters[0].position + 0.03, ..s.emitters[0] };
-            s.emitters.push(other).expect("room");
-        }),
-    );
-    refused(
-        "emitters conflicts with grid.structure CellLists: inactive particles share one cell, which would need a place \
-         for each of them; use grid.structure IndexSort",
-        with(|s| s.grid.structure = GridStructure::CellLists { places: 64 }),
-    );
-    refused(
-        "emitters conflicts with model.internal_energy: the internal energy of new particles is not set yet; turn \
-         internal_energy off",
-        with(|s| (s.model.internal_energy, s.model.viscosity) = (true, Viscosity::Artificial)),
-    );
-    refused(
-        "spare_particles conflicts with model.integrator Verlet or any variant of Beeman: they need a history of the \
-         last step, which new particles do not have; use another integrator, such as ModifiedVelocityVerlet",
-        with(|s| {
-            s.emitters.clear();
-            s.model.integrator = Integrator::Beeman;
-        }),
-    );
-    // too few spare particles for a layer
-    let told = scene(with(|s| s.spare_particles = 1)).expect_err("one particle");
-    assert!(told.to_string() == "spare_particles is 1, but must be at least 4", "{told}");
 }

@@ -1,21 +1,16 @@
 //! Promise: shifting, tensile control and renormalised diffusion are rejected with the choices that they cannot be
 //! combined with, in a message that names both.
-use millpond_core::SceneError;
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     DensityDiffusion, DensityForm, Face, PressureForce, PressureSolver, Scene, Shifting, Traversal, Wall, WallShape,
 };
 
+#[path = "support/combination.rs"]
+mod combination;
 #[path = "support/judged.rs"]
 mod judged;
+use combination::refused;
 use judged::judged as scene;
-
-/// Asserts that a scene with this change is rejected with this message.
-fn refused(sentence: &str, change: impl FnOnce(&mut Scene)) {
-    let told = scene(change).expect_err(sentence);
-    assert!(matches!(told, SceneError::NotTogether { .. }), "{told:?}");
-    assert_eq!(told.to_string(), sentence);
-}
 
 #[test]
 fn shifting_by_name() {

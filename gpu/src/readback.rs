@@ -73,8 +73,8 @@ impl GpuSolver {
     }
 
     /// Hands the fluid to a CPU solver of the same scene, lets it be changed there, for example by
-    /// [`Solver::spawn`](millpond_core::Solver::spawn), and takes it back. It waits for the device and copies the whole
-    /// state twice.
+    /// [`Solver::spawn`](millpond_core::Solver::spawn), and takes its particles back; what else changes there is lost. It
+    /// waits for the device and copies the whole state twice.
     ///
     /// # Errors
     /// [`GpuError::Device`] if the device fails, or if `host` is a solver of another scene.
@@ -95,6 +95,7 @@ impl GpuSolver {
         }
         let mut status = self.status()?;
         host.census().flux.fill(&mut status);
+        status.air_alive = host.air().active;
         self.gpu.queue.write_buffer(&self.buffers.head, 0, bytemuck::bytes_of(&status));
         Ok(changed)
     }

@@ -136,7 +136,8 @@ pub fn run(
     let turnover = turnover(scene, &fluid)?;
     let last_summary = summarize(scene, &last)?;
     let neighbours = FirstLast { first: first_summary.average_neighbours, last: last_summary.average_neighbours };
-    let refused = air.map_or(0, |air: Air| air.refused);
+    // air and emitters share the inactive particles, and one count of those that were missing
+    let refused = air.filter(|_| turnover.is_none()).map_or(0, |air: Air| air.refused);
     let mut warnings = warnings(scene, &last_summary, refused);
     warnings.extend(held(&clock));
     warnings.extend(turnover.and_then(not_made));
@@ -196,7 +197,7 @@ fn not_made(turnover: Turnover) -> Option<String> {
     let Turnover { born, blocked, refused, .. } = turnover;
     if refused > 0 {
         return Some(format!(
-            "{refused} particles were not made, because no spare particle was left: increase spare_particles"
+            "{refused} particles were not made, because no inactive particle was left: increase spare_particles, or air.capacity"
         ));
     }
     // a few are blocked where a jet starts beside other fluid

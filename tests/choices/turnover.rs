@@ -54,7 +54,7 @@ pub fn turnover(add: Add<'_>) {
     add("emitters, steps that can be shortened".into(), &|s| {
         fed(s);
         s.recovery = Recovery::ShortenStep { times: 2 };
-        s.emitters[0].speed = 5.0;
+        s.emitters[0].speed = 15.0;
     });
     add("emitters, evaluated again".into(), &|s| {
         fed(s);

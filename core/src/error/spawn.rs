@@ -15,6 +15,8 @@ pub enum SpawnError {
     NotPlanned,
     /// A number is not finite.
     NotFinite,
+    /// The life is not larger than 0.
+    LifeNotPositive,
     /// The scene has no fluid with this index.
     NoSuchFluid {
         /// The index.
@@ -40,6 +42,7 @@ impl fmt::Display for SpawnError {
             SpawnError::BehindPlane => write!(f, "the position lies behind a plane of the container"),
             SpawnError::NotPlanned => write!(f, "the scene has no spare_particles, emitters or drains; add some"),
             SpawnError::NotFinite => write!(f, "position, velocity and life must be finite numbers"),
+            SpawnError::LifeNotPositive => write!(f, "life must be larger than 0; omit it for a particle without end"),
             SpawnError::NoSuchFluid { fluid, fluids } => {
                 write!(f, "there is no fluid {fluid}: the scene has {fluids} fluids, counted from 0")
             }

@@ -88,6 +88,9 @@ impl Requirements {
     #[must_use]
     pub fn for_particles(mut self, particles: usize) -> Requirements {
         self.counts.particles = particles;
+        if self.model.has_turnover == 1 {
+            self.counts.spares = particles;
+        }
         self
     }
 

@@ -129,15 +129,15 @@ macro_rules! with_passes {
             IntegrateAfter: f_advance / integrate_after, particles, reads, if |m| m.integrates_after(), [
                 write position@new, write velocity@new, read acceleration@new, read start_acceleration,
                 read end_velocity, write history@new];
-            /// Finds the particles that become inactive: air that is too thin, and what drains take (with air, emitters
-            /// or drains).
+            /// Finds the particles that become inactive: air that is too thin, what drains take, and what has lived long
+            /// enough (if particles can be inactive).
             Leave: g_finish / leave, particles, reads, if |m| m.has_inactive == 1, [
                 read position@new, read velocity@new, read density_pressure@new, read id@new, write life@new,
                 write fate];
-            /// Gives each request an inactive particle, in the order of ids (with air, emitters or drains).
+            /// Gives each request an inactive particle, in the order of ids (if particles can be inactive).
             Spawn: g_finish / spawn, group, counts, if |m| m.has_inactive == 1, [
                 read velocity@new, read emission, write spawn_requested, read slot_of_id@new, write fate];
-            /// Sets the particles that come and go (with air, emitters or drains).
+            /// Sets the particles that come and go (if particles can be inactive).
             Renew: g_finish / renew, particles, reads, if |m| m.has_inactive == 1, [
                 write position@new, write velocity@new, write acceleration@new, write density_pressure@new,
                 write life@new, read total_colour_gradient, read emission, read fate];

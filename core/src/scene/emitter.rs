@@ -28,7 +28,7 @@ pub struct Emitter {
     pub speed: f32,
     /// Shape and size of the opening.
     pub opening: Opening,
-    /// Angle between the direction and the velocity at the rim of the opening, degrees, 0 or more and less than 90
+    /// Angle between the direction and the velocity at the rim of the opening, degrees, 0 to 80
     /// (default 0: a jet). With a larger angle it is a cone of spray, as from a point behind the opening.
     #[cfg_attr(feature = "serde", serde(default))]
     pub spread_degrees: f32,

@@ -5,6 +5,7 @@ use crate::derive::emission::{MOST_ACROSS, Point, points};
 use crate::derive::scales::Scales;
 use crate::error::{Field, SceneError};
 use crate::scene::{Dimension, Drain, Emitter, Face, GridStructure, Scene};
+use glam::DVec3;
 
 /// Smallest edge of a cell with emitters, in particle spacings: the particles that could be too close to a new one lie
 /// in the cells around it, as does a particle that requests air one spacing away.
@@ -35,7 +36,8 @@ fn numbers(scene: &Scene, number: usize, emitter: &Emitter) -> Result<(), SceneE
     finite(field("emitters.direction"), &[emitter.direction.length()])?;
     positive(field("emitters.direction (its length)"), emitter.direction.length())?;
     positive(field("emitters.speed"), emitter.speed)?;
-    finite(field("emitters.speed"), &[scene.particle_spacing / emitter.speed])?;
+    // at most one layer leaves in a step
+    bounded(field("emitters.speed"), emitter.speed, 0.0..=scene.particle_spacing / scene.longest_step())?;
     let spacings = emitter.opening.width() / scene.particle_spacing;
     positive(field("emitters.opening"), emitter.opening.width())?;
     bounded(field("emitters.opening (over the particle_spacing)"), spacings, 0.0..=MOST_ACROSS as f32)?;
@@ -62,6 +64,9 @@ fn region(scene: &Scene, number: usize, drain: &Drain) -> Result<(), SceneError>
         }
         Drain::Ball { centre, radius } => {
             finite(field("drains.centre"), centre.as_ref())?;
+            if scene.dimension == Dimension::Two && centre.z != 0.0 {
+                return Err(SceneError::OutOfPlane);
+            }
             positive(field("drains.radius"), *radius)?;
             positive(field("drains.radius (squared)"), radius * radius)
         }
@@ -108,12 +113,29 @@ fn placed(scene: &Scene, number: usize, emitter: &Emitter) -> Result<(), SceneEr
 /// Rejects emitters with points less than a particle spacing apart: both would make particles at the same place.
 fn apart(scene: &Scene) -> Result<(), SceneError> {
     let spacing = f64::from(scene.particle_spacing);
+    let period = |axis: usize| scene.periodic.map_or(0.0, |p| f64::from(p.high[axis]) - f64::from(p.low[axis]));
+    // across a periodic side the nearest image counts
+    let distance = |a: DVec3, b: DVec3| {
+        let mut x_ab = a - b;
+        for axis in scene.periodic_axes() {
+            x_ab[axis] -= period(axis) * libm::round(x_ab[axis] / period(axis));
+        }
+        x_ab.length()
+    };
     for (number, one) in scene.emitters.iter().enumerate() {
+        // across its diagonal a square is wider
+        if scene.periodic_axes().any(|axis| f64::from(one.opening.width()) * 1.5 + spacing > period(axis)) {
+            return Err(not_together(
+                Field::of_item("emitters.opening", number),
+                "periodic",
+                "the opening is too wide for the period, so that its own image is in front of it; make it smaller",
+            ));
+        }
         for other in scene.emitters.iter().take(number) {
             // across its diagonal a square is wider
             let reach = f64::from(one.opening.width() + other.opening.width()) * 0.75 + 2.0 * spacing;
-            let is_far = (one.position.as_dvec3() - other.position.as_dvec3()).length() > reach;
-            let is_near = |a: Point| points(scene, other).any(|b| (a.place - b.place).length() < 0.999 * spacing);
+            let is_far = distance(one.position.as_dvec3(), other.position.as_dvec3()) > reach;
+            let is_near = |a: Point| points(scene, other).any(|b| distance(a.place, b.place) < 0.999 * spacing);
             if !is_far && points(scene, one).any(is_near) {
                 return Err(not_together(
                     Field::of_item("emitters.position", number),
@@ -147,6 +169,13 @@ fn together(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
             "such a small average_neighbours",
             "the support radius must be at least 1.75 particle spacings, so that new particles keep their distance; \
              increase average_neighbours",
+        ));
+    }
+    if let Some(number) = scene.emitters.iter().position(|e| scene.air.is_some_and(|air| air.fluid == e.fluid)) {
+        return Err(not_together(
+            Field::of_item("emitters.fluid", number),
+            "air.fluid",
+            "air that no liquid exposes would be thin, and vanish; let the emitter make another fluid",
         ));
     }
     if !scene.model.integrator.allows_changing_steps() {

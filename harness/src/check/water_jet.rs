@@ -1,7 +1,7 @@
 //! `water-jet`: a jet of water leaves a round opening along x and falls (case J1). Its axis is a parabola, its flow is
 //! the same through every section, and its section shrinks as its speed grows, `A v = A0 v0`.
 //!
-//! Speed and opening are those of Pirovano, section 5.5, who took a range of 3.97 m for the exact one; a body that is
+//! Speed and opening are those of Pirovano, section 5.1, who took a range of 3.97 m for the exact one; a body that is
 //! thrown with 4.76 m/s from a height of 3.5 m lands at 4.02 m. (His speed is that of a tank of 6.5 m with a
 //! coefficient of discharge of 0.61; an ideal tank would throw the water 6.5 m.) One particle of water, which nothing
 //! else touches, shows the error of the time integration alone.

@@ -231,7 +231,7 @@ fn drained(scene: &mut Scene) -> Option<(&mut Vec3, &mut Vec3)> {
 
 fn ball(scene: &mut Scene) -> Option<(&mut Vec3, &mut f32)> {
     if scene.drains.is_empty() {
-        scene.drains = [Drain::Ball { centre: Vec3::splat(-2.0), radius: 0.1 }].into_iter().collect();
+        scene.drains = [Drain::Ball { centre: Vec3::new(-2.0, -2.0, 0.0), radius: 0.1 }].into_iter().collect();
         indexed(scene);
     }
     match scene.drains.first_mut()? {

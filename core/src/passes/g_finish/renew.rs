@@ -39,7 +39,7 @@ pub(crate) fn run(step: &mut Step<'_, '_>) {
 }
 
 /// Resets a particle to rest density, without pressure or acceleration, and with this velocity and material.
-fn set(rest_volume: f32, new: &mut State<'_>, slot: usize, velocity: f32x4) {
+pub(crate) fn set(rest_volume: f32, new: &mut State<'_>, slot: usize, velocity: f32x4) {
     new.velocity[slot] = velocity;
     new.acceleration[slot] = [0.0; 4];
     new.density_pressure[slot] = [0.0, 0.0, 0.0, rest_volume];

@@ -217,9 +217,14 @@ fn forces() -> Vec<Choice> {
 }
 
 fn time() -> Vec<Choice> {
-    let tight = || AdaptiveTimeStep { reject_ratio: Some(1.0), ..AdaptiveTimeStep::default() };
-    let mut adaptive = named("adaptive", [("no", |_| {}), ("yes", |s| s.adaptive = Some(AdaptiveTimeStep::default()))]);
-    adaptive.options.push(("yes, and made again".into(), Box::new(move |s| s.adaptive = Some(tight()))));
+    fn adaptive(s: &mut Scene, reject_ratio: Option<f32>) {
+        // short enough for the emitter
+        s.adaptive = Some(AdaptiveTimeStep { largest: 0.002, reject_ratio, ..AdaptiveTimeStep::default() });
+    }
+    let adaptive = named(
+        "adaptive",
+        [("no", |_| {}), ("yes", |s| adaptive(s, None)), ("yes, and made again", |s| adaptive(s, Some(1.0)))],
+    );
     vec![
         variants("integrator", Integrator::ALL, |s, integrator| s.model.integrator = integrator),
         whether("reevaluate", |s| s.model.reevaluate = true),
