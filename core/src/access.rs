@@ -93,7 +93,8 @@ impl<'m> Solver<'m> {
         state_hash(state.slot_of_id, state.position, state.velocity)
     }
 
-    /// Hash of every array of the current state, including the history of the integrator, the spring ends and the emitters.
+    /// Hash of every array of the current state, including the history of the integrator, the spring ends, the emitters and
+    /// the poses of solids.
     #[must_use]
     pub fn full_hash(&self) -> u64 {
         let s = self.state();
@@ -108,7 +109,7 @@ impl<'m> Solver<'m> {
             s.history,
             s.life,
         ];
-        full_state_hash(s.slot_of_id, &arrays, s.spring_ends, s.emitter_state)
+        full_state_hash(s.slot_of_id, &arrays, s.spring_ends, &[s.emitter_state, s.pose])
     }
 
     /// Number of steps made.

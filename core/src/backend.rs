@@ -57,6 +57,11 @@ pub mod save {
 }
 
 /// See the module of the same name.
+pub mod solids {
+    pub use crate::solids::access::distance_from;
+}
+
+/// See the module of the same name.
 pub mod springs {
     pub use crate::springs::*;
 }

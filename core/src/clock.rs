@@ -74,6 +74,11 @@ impl Clock {
         true
     }
 
+    /// Returns the two numbers of the simulated time, s.
+    pub(crate) fn time(&self) -> [f32; 2] {
+        [self.time, self.lost]
+    }
+
     /// Counts how many times an accepted step was halved.
     pub(crate) fn shortened(&mut self, times: u32) {
         self.halvings = self.halvings.wrapping_add(times);

@@ -13,6 +13,9 @@ pub struct Flux {
     /// Requests for which no inactive particle was left. An exposed particle of liquid repeats its request for air in
     /// each step; an emitter does not.
     pub refused: u64,
+    /// Particles that were found in a solid, and put back to its surface. A particle that stays in contact with a solid is
+    /// counted in each step.
+    pub hits: u64,
 }
 
 impl Flux {
@@ -24,6 +27,7 @@ impl Flux {
             removed: status.total_removed.into(),
             blocked: status.total_blocked.into(),
             refused: status.air_refused.into(),
+            hits: status.total_hits.into(),
         }
     }
 
@@ -34,6 +38,7 @@ impl Flux {
         status.total_removed = short(self.removed);
         status.total_blocked = short(self.blocked);
         status.air_refused = short(self.refused);
+        status.total_hits = short(self.hits);
     }
 
     pub(crate) fn add(&mut self, step: Flux) {
@@ -41,5 +46,6 @@ impl Flux {
         self.removed += step.removed;
         self.blocked += step.blocked;
         self.refused += step.refused;
+        self.hits += step.hits;
     }
 }

@@ -35,12 +35,12 @@ pub fn state_hash(slot: &[u32], position: &[f32x4], velocity: &[f32x4]) -> u64 {
 }
 
 /// Hash of every array of a state, all four numbers of each entry: array after array, the entries of particles in order
-/// of ids, then the spring ends and the emitters. Unused arrays add nothing.
+/// of ids, then the spring ends and the other arrays. Unused arrays add nothing.
 #[must_use]
-pub fn full_state_hash(slot: &[u32], arrays: &[&[f32x4]], spring_ends: &[u32x2], emitters: &[f32x4]) -> u64 {
+pub fn full_state_hash(slot: &[u32], arrays: &[&[f32x4]], spring_ends: &[u32x2], others: &[&[f32x4]]) -> u64 {
     let of_particles = arrays.iter().flat_map(|array| slot.iter().filter_map(|&s| array.get(s as usize)).flatten());
     let words = of_particles.map(|x| x.to_bits()).chain(spring_ends.iter().flatten().copied());
-    let words = words.chain(emitters.iter().flatten().map(|x| x.to_bits()));
+    let words = words.chain(others.iter().flat_map(|other| other.iter().flatten()).map(|x| x.to_bits()));
     words.fold(Fnv::default(), Fnv::word).0
 }
 

@@ -2,7 +2,9 @@
 use crate::derive::Derived;
 use crate::error::SceneError;
 use crate::layout::{Materials, Model, Parameters, StepUniform};
-use crate::scene::{Adjustable, FLUIDS, Fluid, Integrator, Recovery, Scene, SurfaceTension, Viscosity, Wind};
+use crate::scene::{
+    Adjustable, FLUIDS, Fluid, Integrator, Recovery, Scene, SolidModel, SurfaceTension, Viscosity, Wind,
+};
 use crate::terms::viscosity::has_friction;
 use crate::validate::not_together;
 use glam::Vec3;
@@ -117,9 +119,10 @@ impl LiveScene {
         }
     }
 
-    /// Numbers of fluids, blocks and walls, which determine the materials that the scene uses.
-    pub(crate) fn materials(&self) -> [usize; 3] {
-        [self.scene.fluids.len(), self.scene.blocks.len(), self.scene.walls.len()]
+    /// Numbers of fluids, blocks, walls and solids with particles, which determine the materials that the scene uses.
+    pub(crate) fn materials(&self) -> [usize; 4] {
+        let solids = self.scene.solids.iter().filter(|solid| solid.model == SolidModel::Particles);
+        [self.scene.fluids.len(), self.scene.blocks.len(), self.scene.walls.len(), solids.count()]
     }
 
     /// Number of fluids.

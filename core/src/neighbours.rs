@@ -169,7 +169,8 @@ impl Neighbours<'_, '_> {
             density_pressure: state.density_pressure,
             support: solver.memory.scratch.support_ratio,
         };
-        f(&Setup { model, parameters, materials, columns, uniform, tables, field, simd }, particles)
+        let poses = &*state.pose;
+        f(&Setup { model, parameters, materials, columns, uniform, tables, field, poses, simd }, particles)
     }
 
     fn cells(&self) -> Cells<'_> {

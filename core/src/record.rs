@@ -45,7 +45,7 @@ pub struct Record {
 
 impl Record {
     /// Number of words in a record.
-    pub const WORDS: usize = 28 + LiveValues::WORDS;
+    pub const WORDS: usize = 30 + LiveValues::WORDS;
 
     /// The record of a GPU solver: from its status, and from values that the host program keeps.
     #[must_use]
@@ -73,7 +73,8 @@ impl Record {
         wide(self.steady.since);
         wide(self.steady.at.to_bits());
         wide(self.correction.total_iterations);
-        [self.flux.refused, self.flux.blocked, self.flux.born, self.flux.removed].into_iter().for_each(wide);
+        let Flux { refused, blocked, born, removed, hits } = self.flux;
+        [refused, blocked, born, removed, hits].into_iter().for_each(wide);
         self.clock.iter().for_each(|x| word(x.to_bits()));
         word(self.time_step.to_bits());
         self.counts.into_iter().for_each(&mut word);
@@ -91,13 +92,13 @@ impl Record {
         Record {
             steps: wide(0),
             steady: SteadyTime { since: wide(2), at: f64::from_bits(wide(4)) },
-            clock: [float(16), float(17), float(18), float(19)],
-            time_step: float(20),
-            counts: [at(21), at(22), at(23)],
-            correction: CorrectionReport { iterations: at(24), total_iterations: wide(6), residual: float(25) },
-            flux: Flux { refused: wide(8), blocked: wide(10), born: wide(12), removed: wide(14) },
-            due: f64::from_bits(wide(26)),
-            live: LiveValues::of_words(words.get(28..).unwrap_or_default()),
+            clock: [float(18), float(19), float(20), float(21)],
+            time_step: float(22),
+            counts: [at(23), at(24), at(25)],
+            correction: CorrectionReport { iterations: at(26), total_iterations: wide(6), residual: float(27) },
+            flux: Flux { refused: wide(8), blocked: wide(10), born: wide(12), removed: wide(14), hits: wide(16) },
+            due: f64::from_bits(wide(28)),
+            live: LiveValues::of_words(words.get(30..).unwrap_or_default()),
         }
     }
 }

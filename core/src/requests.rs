@@ -5,6 +5,7 @@ use crate::error::SpawnError;
 use crate::grid::cell_of;
 use crate::passes::g_finish::renew::set;
 use crate::passes::lanes::is_inactive;
+use crate::solids::is_in_solid;
 use crate::solver::Solver;
 use crate::terms::air::is_taken;
 use crate::terms::boundary::depth_behind;
@@ -69,6 +70,9 @@ impl Solver<'_> {
         let planes = if m.has_container == 1 { p.plane_count as usize } else { 0 };
         if p.planes[..planes].iter().any(|plane| depth_behind(place, vec3::splat(*plane), plane[3]) > 0.0) {
             return Err(SpawnError::BehindPlane);
+        }
+        if is_in_solid(&m, &p, self.state().pose, place) {
+            return Err(SpawnError::InSolid);
         }
         let (materials, state) = (self.materials(), self.state());
         let active = |slot: usize| !is_inactive(materials, state.velocity[slot][3]);

@@ -15,7 +15,7 @@ use crate::solver::Solver;
 const MAGIC: u32 = u32::from_le_bytes(*b"MPND");
 
 /// Version of the format. It is incremented whenever the format changes.
-pub const VERSION: u32 = 4;
+pub const VERSION: u32 = 5;
 
 /// Words before the record: magic number, version, fingerprint of the scene, and hash of everything after the head.
 const HEAD_WORDS: usize = 6;

@@ -17,6 +17,7 @@ use crate::plan::passes::Pass;
 use crate::plan::schedule::{Command, Schedule, evaluation};
 use crate::record::{CorrectionReport, fingerprint};
 use crate::scene::{InitialParticle, Scene};
+use crate::solids::motion::move_all;
 use crate::step;
 use crate::terms::time_step::step_half;
 use crate::validate::{Checked, check_count};
@@ -75,7 +76,8 @@ impl<'m> Solver<'m> {
     /// cannot be evaluated.
     pub fn new(scene: &Scene, memory: Memory<'m>) -> Result<Solver<'m>, SceneError> {
         let scene = scene.check()?;
-        Solver::with_particles(&scene, Plan::of(&scene), scene.derived().particles(), scene.initial_particles(), memory)
+        let mut particles = scene.initial_particles();
+        Solver::start(&scene, &Plan::of(&scene), scene.derived().particles(), &mut particles, memory)
     }
 
     /// Creates a solver with a plan of the scene and with `count` particles supplied by the caller, whose ids are 0, 1,
@@ -95,11 +97,22 @@ impl<'m> Solver<'m> {
         particles: impl IntoIterator<Item = InitialParticle>,
         memory: Memory<'m>,
     ) -> Result<Solver<'m>, SceneError> {
+        Solver::start(scene, &plan, count, &mut particles.into_iter(), memory)
+    }
+
+    /// The same, compiled once for all iterators, and without a copy of them on the stack.
+    fn start(
+        scene: &Checked<'_>,
+        plan: &Plan,
+        count: usize,
+        particles: &mut dyn Iterator<Item = InitialParticle>,
+        memory: Memory<'m>,
+    ) -> Result<Solver<'m>, SceneError> {
         check_count(count as u64)?;
-        if plan != Plan::of(scene) && plan != Plan::everything(scene) {
+        if *plan != Plan::of(scene) && *plan != Plan::everything(scene) {
             return Err(SceneError::PlanOfAnotherScene);
         }
-        let requirements = Requirements::by_plan(scene, &plan).for_particles(count);
+        let requirements = Requirements::by_plan(scene, plan).for_particles(count);
         let memory = memory.carve(&requirements)?;
         // a drain or the host can make any particle inactive
         let first_spare = if scene.has_turnover() { 0 } else { count.saturating_sub(scene.inactive_at_start()) };
@@ -107,7 +120,7 @@ impl<'m> Solver<'m> {
         let constants = live.constants(scene.derived());
         let simd = Simd::of_new_solver();
         let mut solver = Solver {
-            plan,
+            plan: *plan,
             schedule: plan.schedule(),
             constants,
             live,
@@ -120,7 +133,7 @@ impl<'m> Solver<'m> {
             due: 0.0,
             current: 0,
             has_lists: false,
-            fingerprint: fingerprint(&plan, &constants.parameters, &constants.materials, &requirements),
+            fingerprint: fingerprint(plan, &constants.parameters, &constants.materials, &requirements),
             requirements,
             memory,
         };
@@ -233,14 +246,21 @@ impl<'m> Solver<'m> {
         let (tables, field) = (&*given.kernel_tables, field.unwrap_or(given.acceleration_field));
         let Constants { parameters, materials, step: uniform, .. } = constants;
         let columns = &Columns::of(materials, self.live.materials());
-        let setup = Setup { model, parameters, materials, columns, uniform, tables, field, simd: self.simd };
         let (old, new) = if self.current == 0 { (&*a, b) } else { (&*b, a) };
+        // all passes read where the solids are at the end of the step, and none of them writes it
+        let poses = core::mem::take(&mut new.pose);
+        move_all((model, parameters, uniform), self.clock.time(), old.pose, poses);
+        let simd = self.simd;
+        let setup = Setup { model, parameters, materials, columns, uniform, tables, field, poses: &*poses, simd };
         self.has_lists = false;
         let found = Found::nothing(self.steps as u32);
         let command = Command::Run(Pass::IntegrateBefore);
-        let mut step = Step { setup, executor, old, new, scratch, given, list_words: *list_words, found, command };
-        step::run(&mut step, commands, begins).map_err(|error| error.at_step(self.steps + 1))?;
+        let list_words = *list_words;
+        let mut step = Step { setup, executor, old, new: &mut *new, scratch, given, list_words, found, command };
+        let ran = step::run(&mut step, commands, begins);
         let found = step.found;
+        new.pose = poses;
+        ran.map_err(|error| error.at_step(self.steps + 1))?;
         self.has_lists = self.plan.model.makes_lists();
         Ok(found)
     }

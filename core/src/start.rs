@@ -3,12 +3,15 @@
 use crate::arithmetic::real::vec3;
 use crate::clock::{Clock, set_step};
 use crate::derive::emission::state_at_start;
+use crate::derive::material::FIRST_SOLID;
+use crate::derive::solids::fill_poses;
 use crate::derive::{Material, material_of};
 use crate::error::{SceneError, StepError};
 use crate::executor::Serial;
 use crate::layout::{Model, f32x4};
 use crate::plan::arrays::Quantity;
 use crate::scene::{Dimension, InitialParticle};
+use crate::solids::solids;
 use crate::solver::Solver;
 use crate::terms::integrate::{MODIFIED_VELOCITY_VERLET, has_history, history_reversed, is_beeman};
 use crate::validate::Checked;
@@ -63,7 +66,7 @@ impl Solver<'_> {
     pub(crate) fn fill(
         &mut self,
         scene: &Checked<'_>,
-        particles: impl IntoIterator<Item = InitialParticle>,
+        particles: &mut dyn Iterator<Item = InitialParticle>,
     ) -> Result<(), SceneError> {
         let state = &mut self.memory.states[self.current];
         let needed = state.id.len();
@@ -72,7 +75,6 @@ impl Solver<'_> {
         if needed < scene.inactive_at_start() {
             return Err(SceneError::TooFewParticles { particles: needed, air: scene.inactive_at_start() });
         }
-        let mut particles = particles.into_iter();
         for slot in 0..needed {
             let Some(place) = particles.next() else {
                 return Err(wrong(slot));
@@ -125,6 +127,16 @@ impl Solver<'_> {
         state.life.fill([0.0, f32::MAX, 0.0, 0.0]);
         for (state, emitter) in state.emitter_state.iter_mut().zip(&scene.emitters) {
             *state = state_at_start(scene, emitter);
+        }
+        fill_poses(scene, &self.plan.model, &self.constants.parameters, state.pose);
+        let (m, p) = (self.plan.model, self.constants.parameters);
+        for (slot, anchor) in self.memory.given.anchor.iter_mut().enumerate() {
+            let number = state.velocity[slot][3] - FIRST_SOLID as f32;
+            let solid = if number < 0.0 { None } else { solids(&m, &p, state.pose).nth(number as usize) };
+            *anchor = solid.map_or([0.0, 0.0, 0.0, -1.0], |solid| {
+                let local = solid.local_of(vec3::splat(state.position[slot]));
+                [local.x, local.y, local.z, number]
+            });
         }
         self.memory.given.spring_ranges.fill([0; 4]);
         match particles.next() {

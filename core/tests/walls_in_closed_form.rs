@@ -197,22 +197,22 @@ fn what_they_cannot_do_is_refused_by_name() {
     };
     refused(
         "container.model ClosedForm conflicts with model.near_pressure: near pressure would miss the walls; set \
-         near_pressure Off, and use shifting if particles pair, or use container.model Penalty",
+         near_pressure Off, and use shifting if particles pair, or use model Penalty",
         &|s| s.model.near_pressure = NearPressure::DensityProportional,
     );
     refused(
         "container.model ClosedForm conflicts with model.internal_energy: the work of the walls is not divided between \
-         the fluid and its continuation beyond them; use walls of particles, or container.model Penalty",
+         the fluid and its continuation beyond them; use walls of particles, or model Penalty",
         &|s| s.model.internal_energy = true,
     );
     refused(
         "container.model ClosedForm conflicts with model.surface_tension Curvature: the Laplacian of the colour would \
-         miss the walls; use NormalCurvature, or container.model Penalty",
+         miss the walls; use NormalCurvature, or model Penalty",
         &|s| s.model.surface_tension = SurfaceTension::Curvature,
     );
     refused(
         "container.model ClosedForm conflicts with model.pressure_kernel Viscosity: it is infinite at distance 0; use \
-         another pressure_kernel, or container.model Penalty",
+         another pressure_kernel, or model Penalty",
         &|s| s.model.pressure_kernel = Kernel::Viscosity,
     );
     for change in [(|c: &mut Container| c.dynamic_viscosity = Some(1.0)) as fn(&mut Container), |c| {

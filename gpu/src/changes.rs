@@ -10,7 +10,7 @@ use millpond_core::backend::plan::arrays::Side;
 use millpond_core::backend::terms::integrate::history_rescaled;
 use millpond_core::glam::Vec3;
 use millpond_core::scene::Wind;
-use millpond_core::{Array, SceneError};
+use millpond_core::{Array, SceneError, SolidState};
 
 impl GpuSolver {
     /// Sets the acceleration field supplied by the caller, from the next step on, as
@@ -100,6 +100,21 @@ impl GpuSolver {
     /// Those of [`Solver::set_stiffness`](millpond_core::Solver::set_stiffness) and [`GpuSolver::set_gravity`].
     pub fn set_stiffness(&mut self, fluid: u32, stiffness: f32) -> Result<(), GpuError> {
         self.change("set_stiffness", Change::Stiffness(fluid, stiffness))
+    }
+
+    /// Sets where a solid is and how fast it moves, from the next step on, as
+    /// [`Solver::move_solid`](millpond_core::Solver::move_solid) does.
+    ///
+    /// # Errors
+    /// Those of [`Solver::move_solid`](millpond_core::Solver::move_solid), as [`GpuError::Solid`]; also
+    /// [`GpuError::BeforeFirstStep`] before the first step of the fluid: make the change on the CPU solver instead.
+    pub fn move_solid(&mut self, solid: usize, to: SolidState) -> Result<(), GpuError> {
+        let rows = to.to_rows(self.buffers.model(), &self.parameters, solid)?;
+        self.has_begun("move_solid")?;
+        let poses = self.buffers.array(Array::pose, Side::Old, self.current());
+        let offset = (solid * size_of_val(&rows)) as u64;
+        self.gpu.queue.write_buffer(poses, offset, bytemuck::cast_slice(&rows));
+        Ok(())
     }
 
     /// Rejects a call before the first step. That step begins with accelerations that the CPU evaluated, so the change

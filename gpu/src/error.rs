@@ -1,6 +1,6 @@
 //! Errors of the GPU backend.
 use crate::float_controls::FloatControls;
-use millpond_core::{SceneError, StepError};
+use millpond_core::{SceneError, SolidError, StepError};
 
 /// Why a device, a pipeline or a step is not available.
 #[derive(Debug, thiserror::Error)]
@@ -50,6 +50,9 @@ pub enum GpuError {
         /// The float controls that the driver offers, all of which were requested.
         controls: FloatControls,
     },
+    /// A solid could not be moved.
+    #[error(transparent)]
+    Solid(#[from] SolidError),
     /// The scene makes a choice that only the CPU supports.
     #[error("{choice} is supported on the CPU only: {why}")]
     CpuOnly {

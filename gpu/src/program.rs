@@ -3,9 +3,10 @@
 use crate::bindings::{CELL_BLOCK, declarations, reads_pairs, sums_over_pairs, workgroup};
 use crate::functions::Functions;
 use millpond_core::backend::layout::{
-    DRAIN_ROWS, MATERIALS, MOST_ATTEMPTS, Materials, Model, PLANES, Parameters, QUANTITIES_OF_ID, StepUniform,
-    TABLE_ENTRIES, TABLE_WORDS,
+    DRAIN_ROWS, MATERIALS, MOST_ATTEMPTS, Materials, Model, PLANES, POSE_STRIDE, Parameters, QUANTITIES_OF_ID,
+    SOLID_ROWS, SOLID_STRIDE, StepUniform, TABLE_ENTRIES, TABLE_WORDS,
 };
+use millpond_core::scene::SolidModel;
 use millpond_core::{Array, Pass};
 
 /// Where division and square root come from.
@@ -62,7 +63,9 @@ pub fn library(model: &Model, intrinsics: Intrinsics) -> String {
 fn head(model: &Model, intrinsics: Intrinsics) -> String {
     let mut out = intrinsics.prelude();
     out += &format!("const PLANES: u32 = {PLANES}u;\nalias Planes = array<f32x4, PLANES>;\n");
-    out += &format!("alias DrainRows = array<f32x4, {DRAIN_ROWS}>;\n");
+    out += &format!("alias DrainRows = array<f32x4, {DRAIN_ROWS}>;\nalias SolidRows = array<f32x4, {SOLID_ROWS}>;\n");
+    out += &format!("const SOLID_STRIDE: u32 = {SOLID_STRIDE}u;\nconst POSE_STRIDE: u32 = {POSE_STRIDE}u;\n");
+    out += &format!("const CLOSED_FORM: f32 = {:?}f;\n", SolidModel::ClosedForm as u32 as f32);
     out += &format!("alias MaterialRows = array<f32x4, {MATERIALS}>;\n");
     out +=
         &format!("const QUANTITIES_OF_ID: u32 = {QUANTITIES_OF_ID}u;\nconst MOST_ATTEMPTS: u32 = {MOST_ATTEMPTS}u;\n");
@@ -92,8 +95,20 @@ pub fn program(pass: Pass, model: &Model, intrinsics: Intrinsics) -> String {
     if reads_pairs(pass) {
         out += include_str!("shaders/local.wgsl");
     }
-    if ["of_pressure(", "of_density("].iter().any(|function| loop_text(pass).contains(function)) {
+    let calls = |function: &str| loop_text(pass).contains(function);
+    let has_solids = model.has_solids == 1;
+    if pass != Pass::MoveSolids && pass.bindings().iter().any(|binding| binding.array == Array::pose) {
+        let is_for_solids = has_solids || matches!(pass, Pass::Carry | Pass::Contact);
+        let [solids, none] = [include_str!("shaders/solids.wgsl"), include_str!("shaders/no_solids.wgsl")];
+        out += if is_for_solids { solids } else { none };
+    }
+    if calls("of_pressure(") || calls("of_density(") {
         out += include_str!("shaders/beyond.wgsl");
+        out += if has_solids {
+            include_str!("shaders/closed_solids.wgsl")
+        } else {
+            include_str!("shaders/no_closed_solids.wgsl")
+        };
     }
     if loop_text(pass).contains("is_free(") {
         out += include_str!("shaders/places.wgsl");

@@ -5,7 +5,7 @@ use crate::error::GpuError;
 use crate::pass_times::PassClock;
 use crate::pipelines::{Dispatch, dispatches, record};
 use core::mem::offset_of;
-use millpond_core::backend::layout::{Status, StepUniform};
+use millpond_core::backend::layout::{Parameters, Status, StepUniform};
 use millpond_core::backend::live::LiveScene;
 use millpond_core::backend::plan::arrays::Side;
 use millpond_core::backend::{Pace, SteadyTime, verdict};
@@ -26,6 +26,7 @@ pub struct GpuSolver {
     pub(crate) buffers: Buffers,
     dispatches: Vec<Dispatch>,
     pub(crate) live: LiveScene,
+    pub(crate) parameters: Parameters,
     pub(crate) uniform: StepUniform,
     pub(crate) steady: SteadyTime,
     pub(crate) fingerprint: u64,
@@ -68,6 +69,7 @@ impl GpuSolver {
             buffers,
             dispatches,
             live: solver.live().clone(),
+            parameters: *parameters,
             uniform: *solver.uniform(),
             steady: solver.steady_time(),
             fingerprint: solver.fingerprint(),

@@ -2,6 +2,7 @@
 //! adaptive time steps, however many steps the device is given at once.
 //!
 //! `core/tests/time_is_advanced.rs` checks that these are the right steps.
+use millpond_core::scene::Scene;
 use millpond_core::{OwnedMemory, Serial, Solver};
 use millpond_gpu::{GpuSolver, Mode};
 
@@ -12,7 +13,9 @@ use support::{Words, dam_break_2d, device, words_of};
 #[test]
 fn a_device_makes_the_same_steps() {
     let Some(gpu) = device("time_is_advanced", Mode::Strict) else { return };
-    for scene in [dam_break_2d(0.5), falling(), impact()] {
+    let scenes: [fn() -> Scene; 3] = [|| dam_break_2d(0.5), falling, impact];
+    for scene in scenes {
+        let scene = scene();
         let mut heap = OwnedMemory::of(&scene.check().expect("a scene"));
         let mut cpu = Solver::new(&scene, heap.lend()).expect("a scene");
         let mut fluid = GpuSolver::new(&gpu, &cpu).expect("a device that takes it");

@@ -6,9 +6,11 @@ use crate::scene_file::{Camera, SceneFile, Shade};
 use crate::scenes::LoadedScene;
 use crate::snapshot::Snapshot;
 use glam::Vec3;
-use millpond_core::backend::derive::{Material, material_of};
-use millpond_core::backend::layout::f32x4;
-use millpond_core::scene::{Dimension, Fluid, Scene, WallShape};
+use millpond_core::backend::derive::{Material, material_of, solid_reach};
+use millpond_core::backend::layout::{Model, Parameters, f32x4};
+use millpond_core::backend::solids::distance_from;
+use millpond_core::scene::{Dimension, Fluid, Scene, Solid, WallShape};
+use millpond_core::{Array, Plan};
 use std::path::{Path, PathBuf};
 
 /// Size of a picture, pixels.
@@ -101,12 +103,15 @@ fn draw(named: &LoadedScene, time: f64, state: &Snapshot, path: &Path) -> Result
     let cast = FrameContent::of(&named.file, state);
     let positions: Vec<f32x4> = cast.beads.iter().map(|bead| bead.position).collect();
     let caption = format!("{}   t = {time:.2} s   {} particles", named.name, cast.present);
+    let distances = Distances::of(named, state);
+    let distances = |point: Vec3| distances.from(point);
     let frame = Frame {
         positions: &positions,
         colouring: &colouring(&named.file, &cast.beads),
         walls: &cast.walls,
         radius: RADIUS * scene.particle_spacing,
         container: scene.container.as_ref().map(|_| bounds),
+        solids: (!scene.solids.is_empty()).then_some(&distances),
         caption: &caption,
     };
     let view = match named.file.camera {
@@ -153,7 +158,7 @@ impl FrameContent {
                     fluid,
                 }),
                 Some(Material::Wall(wall)) if is_in_sight(file, wall, x[1]) => cast.walls.push(*x),
-                Some(Material::Wall(_)) => {}
+                Some(Material::Wall(_) | Material::Solid(_)) => {}
                 Some(Material::Inactive) | None => continue,
             }
             cast.present += 1;
@@ -171,6 +176,35 @@ fn is_in_sight(file: &SceneFile, wall: u32, y: f32) -> bool {
         y < low[1]
     });
     file.scene.dimension == Dimension::Two || (is_floor && !from_below)
+}
+
+/// The solids of a state.
+struct Distances<'a> {
+    scene: &'a Scene,
+    constants: Option<(Model, Parameters)>,
+    poses: &'a [f32x4],
+}
+
+impl<'a> Distances<'a> {
+    fn of(named: &'a LoadedScene, state: &'a Snapshot) -> Self {
+        let scene = &named.file.scene;
+        let has_solids = !scene.solids.is_empty();
+        let checked = has_solids.then(|| scene.check().ok()).flatten();
+        let constants = checked.map(|checked| (Plan::of(&checked).model, checked.derived().parameters));
+        Distances { scene, constants, poses: state.vectors(Array::pose) }
+    }
+
+    /// Returns the distances from the nearest obstacle and from the nearest wall around the fluid, m.
+    fn from(&self, point: Vec3) -> [f32; 2] {
+        let Some((model, parameters)) = &self.constants else { return [f32::MAX; 2] };
+        let mut nearest = [f32::MAX; 2];
+        for (number, solid) in self.scene.solids.iter().enumerate() {
+            let distance = distance_from(model, parameters, self.poses, number, point).unwrap_or(f32::MAX);
+            let which = usize::from(solid.hollow);
+            nearest[which] = nearest[which].min(distance);
+        }
+        nearest
+    }
 }
 
 /// Returns the colours of the particles.
@@ -213,6 +247,10 @@ fn bounds(scene: &Scene, state: &Snapshot) -> [Vec3; 2] {
         let (WallShape::Plane { low, high, .. } | WallShape::Box { low, high, .. }) = &w.shape;
         (flat(*low), flat(*high))
     });
+    let reach = |s: &Solid| solid_reach(s, scene.dimension);
+    let solids = scene.solids.iter().filter(|s| reach(s).is_finite());
+    let solids = solids.map(|s| (flat(s.position - reach(s)), flat(s.position + reach(s))));
+    let walls = walls.chain(solids);
     let room = [(low - margin, high + margin)];
     let (low, high) = joined(&mut room.into_iter().chain(walls)).unwrap_or(room[0]);
     [low, high]

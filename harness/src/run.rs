@@ -188,7 +188,7 @@ fn turnover(scene: &Checked<'_>, fluid: &Fluid<'_>) -> Result<Option<Turnover>, 
     if scene.emitters.is_empty() && scene.drains.is_empty() {
         return Ok(None);
     }
-    let Census { active, flux: Flux { born, removed, blocked, refused } } = fluid.census()?;
+    let Census { active, flux: Flux { born, removed, blocked, refused, .. } } = fluid.census()?;
     Ok(Some(Turnover { active, born, removed, blocked, refused }))
 }
 

@@ -5,6 +5,7 @@ mod closed_walls;
 mod fluids;
 mod formulas;
 mod plainest;
+mod solids;
 mod surroundings;
 mod time;
 mod turnover;
@@ -33,5 +34,6 @@ pub fn choices(base: &Scene) -> Vec<(String, Scene)> {
     surroundings::surroundings(&mut add);
     closed_walls::closed_walls(&mut add);
     turnover::turnover(&mut add);
+    solids::solid_choices(&mut add);
     all
 }

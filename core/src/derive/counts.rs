@@ -1,8 +1,10 @@
 //! Counts of a scene: particles, nodes of its acceleration field, spring ends. They are computed so that no scene makes
 //! them overflow.
 use super::emission::points;
+use super::frames::Own;
 use super::lattice_sums::MOST_SPACINGS;
 use super::sampling::lattice::particles;
+use super::sampling::solids::solid_count;
 use super::sampling::walls::{wall_count, wall_layers};
 use super::scales::Scales;
 use crate::scene::{AccelerationField, Block, Dimension, Scene};
@@ -14,6 +16,8 @@ pub(crate) struct Counts {
     pub(crate) fluid: u64,
     /// Wall particles.
     pub(crate) walls: u64,
+    /// Particles of solids.
+    pub(crate) solids: u64,
     /// Particles that are inactive at the start.
     pub(crate) inactive: u64,
     /// Points of all emitters.
@@ -27,9 +31,13 @@ impl Counts {
     pub(crate) fn of(scene: &Scene, scales: &Scales) -> Counts {
         let wall_layers = wall_layers(scene, scales);
         let add = |all: u64, more: u64| all.saturating_add(more);
+        let own = Own::of(scene);
+        let frames = own.frames(scene);
+        let solids = 0..scene.solids.len();
         Counts {
-            fluid: scene.blocks.iter().map(|block| particles(block, scene)).fold(0, add),
+            fluid: scene.blocks.iter().map(|block| particles(block, scene, frames)).fold(0, add),
             walls: scene.walls.iter().map(|wall| wall_count(wall, scene, wall_layers)).fold(0, add),
+            solids: solids.map(|number| solid_count(number, scene, wall_layers, frames)).fold(0, add),
             inactive: scene.inactive_at_start() as u64,
             emitter_points: scene.emitters.iter().map(|emitter| points(scene, emitter).count() as u64).fold(0, add),
             wall_layers,
@@ -38,7 +46,7 @@ impl Counts {
 
     /// Number of all particles.
     pub(crate) fn all(&self) -> u64 {
-        self.fluid.saturating_add(self.walls).saturating_add(self.inactive)
+        [self.walls, self.solids, self.inactive].into_iter().fold(self.fluid, u64::saturating_add)
     }
 }
 
@@ -57,7 +65,9 @@ pub(crate) fn spring_ends(scene: &Scene, scales: &Scales) -> usize {
     let elastic = |block: &&Block| scene.fluid_of(block.fluid).elastic_stiffness > 0.0;
     let blocks = || scene.blocks.iter().filter(elastic);
     let jitter = blocks().map(|block| block.jitter).fold(0.0, f32::max);
-    let particles = blocks().map(|block| particles(block, scene)).fold(0, u64::saturating_add) as usize;
+    let own = Own::of(scene);
+    let particles =
+        blocks().map(|block| particles(block, scene, own.frames(scene))).fold(0, u64::saturating_add) as usize;
     particles.saturating_mul(springs_of_particle(scene, scales, jitter).min(particles.saturating_sub(1)))
 }
 

@@ -1,9 +1,11 @@
 //! All quantities derived from a scene.
 use super::counts::{Counts, field_counts, spring_ends, springs_of_particle};
 use super::fluid::FluidConstants;
+use super::frames::{Poses, poses_at_start};
 use super::materials::materials;
 use super::parameters::{parameters, step_uniform};
 use super::scales::{Scales, average_neighbours, particle_mass};
+use super::solids::pose_rows;
 use super::step_limits::kinematic_viscosity;
 use crate::layout::{Materials, Parameters, StepUniform};
 use crate::scene::{FLUIDS, Scene};
@@ -27,12 +29,16 @@ pub struct Derived {
     pub kinematic_viscosity: f64,
     /// Number of fluid particles, whose ids come first.
     pub fluid_particles: usize,
-    /// Number of wall particles, whose ids come next.
+    /// Number of particles of walls and of solids, whose ids come next.
     pub wall_particles: usize,
     /// Number of particles that are inactive at the start, whose ids come last: for the layer of air, and for emitters.
     pub inactive_particles: usize,
     /// Number of points of all emitters.
     pub emitter_points: usize,
+    /// Number of rows of the poses of solids and of the sides of polygons.
+    pub pose_rows: usize,
+    /// The poses of solids at the start, and the sides of polygons.
+    pub(crate) poses: Poses,
     /// Layers of particles in a wall: two with mirrored pressure (Hinsch 2024, section 6.3), three as dynamic boundary
     /// particles (Pirovano, section 3.5.3); more if the support radius reaches further.
     pub wall_layers: u32,
@@ -56,18 +62,21 @@ impl Derived {
         let particle_mass = particle_mass(scene, scales);
         let fluids = FluidConstants::of_all(scene, particle_mass);
         let kinematic_viscosity = kinematic_viscosity(scene, scales, &fluids);
+        let parameters = parameters(scene, scales, (counts, cells), particle_mass, kinematic_viscosity);
         Derived {
             support_radius: scales.support_radius,
             average_neighbours: average_neighbours(scene),
             cells,
             particle_mass,
-            parameters: parameters(scene, scales, (counts, cells), particle_mass, kinematic_viscosity),
+            poses: poses_at_start(scene, &parameters),
+            parameters,
             materials: materials(scene, &fluids, particle_mass, scales.support_radius),
             step: step_uniform(scene),
             fluids,
             kinematic_viscosity,
             fluid_particles: counts.fluid as usize,
-            wall_particles: counts.walls as usize,
+            wall_particles: (counts.walls + counts.solids) as usize,
+            pose_rows: pose_rows(scene),
             inactive_particles: counts.inactive as usize,
             emitter_points: counts.emitter_points as usize,
             wall_layers: counts.wall_layers,

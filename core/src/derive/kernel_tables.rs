@@ -1,12 +1,14 @@
 //! Fills the tables of kernels (Pirovano, section 4.2.3), and those of what of them lies beyond a plane, from the terms
 //! themselves.
 use super::lattice_sums::MOST_SPACINGS;
-use super::plane_integrals::{gamma, gamma_of_rows, surface};
+use super::plane_integrals::{bending, gamma, gamma_of_rows, surface};
 use super::scales::support_radius;
 use crate::arithmetic::double::Double;
 use crate::layout::{Model, TABLE_ENTRIES, Tables};
 use crate::scene::{Evaluation, Scene, Viscosity};
-use crate::terms::beyond::{DENSITY_GAMMA, DENSITY_SURFACE, PRESSURE_GAMMA, PRESSURE_SURFACE};
+use crate::terms::beyond::{
+    DENSITY_BENDING, DENSITY_GAMMA, DENSITY_SURFACE, PRESSURE_BENDING, PRESSURE_GAMMA, PRESSURE_SURFACE,
+};
 use crate::terms::kernel::{kernel_curvature, kernel_laplacian, kernel_slope, kernel_w};
 use crate::terms::table::{DENSITY_TABLE, PRESSURE_TABLE, VISCOSITY_TABLE};
 use bytemuck::Zeroable;
@@ -39,6 +41,8 @@ pub(crate) fn fill_tables(scene: &Scene, tables: &mut Tables) {
             DENSITY_SURFACE if is_closed => Double(surface(choice.density_kernel, d, share)),
             PRESSURE_GAMMA if is_closed => Double(gamma(choice.pressure_kernel, d, share)),
             PRESSURE_SURFACE if is_closed => Double(surface(choice.pressure_kernel, d, share)),
+            DENSITY_BENDING if is_closed => Double(bending(choice.density_kernel, d, share)),
+            PRESSURE_BENDING if is_closed => Double(bending(choice.pressure_kernel, d, share)),
             _ => Double(0.0),
         };
         *out = value.0 as f32;

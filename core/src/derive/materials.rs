@@ -1,8 +1,9 @@
-//! The constants of each material: a row for each fluid, for each block with its own viscosity, and for each wall.
+//! The constants of each material: a row for each fluid, for each block with its own viscosity, for each wall and
+//! each solid.
 use super::fluid::FluidConstants;
 use super::kernel_constants::{near_slope_constant, power};
 use super::lattice_sums::gradient_squares;
-use super::material::{FIRST_BLOCK, FIRST_WALL, INACTIVE, INACTIVE_ROLE};
+use super::material::{FIRST_BLOCK, FIRST_SOLID, FIRST_WALL, INACTIVE, INACTIVE_ROLE};
 use crate::layout::{MATERIALS, MaterialRows, Materials, f32x4};
 use crate::scene::{DensityForm, Fluid, Iteration, NearPressure, Scene};
 
@@ -33,6 +34,9 @@ fn rows(scene: &Scene, fluids: &[FluidConstants], of: impl Fn(&Fluid, &FluidCons
     for (material, wall) in (FIRST_WALL..).zip(&scene.walls) {
         set(material, wall.fluid);
     }
+    for (material, solid) in (FIRST_SOLID..).zip(&scene.solids) {
+        set(material, solid.fluid);
+    }
     rows
 }
 
@@ -48,8 +52,14 @@ fn properties(scene: &Scene, fluids: &[FluidConstants]) -> MaterialRows {
         material[0] = block.dynamic_viscosity.unwrap_or(material[0]);
         material[3] = block.fluid as f32;
     }
+    let held = |material: &mut f32x4, viscosity: Option<f32>, fluid: u32| {
+        *material = [viscosity.unwrap_or(VISCOSITY_OF_PARTICLE), 1.0, material[2], fluid as f32];
+    };
     for (material, wall) in rows[FIRST_WALL as usize..].iter_mut().zip(&scene.walls) {
-        *material = [wall.dynamic_viscosity.unwrap_or(VISCOSITY_OF_PARTICLE), 1.0, material[2], wall.fluid as f32];
+        held(material, wall.dynamic_viscosity, wall.fluid);
+    }
+    for (material, solid) in rows[FIRST_SOLID as usize..].iter_mut().zip(&scene.solids) {
+        held(material, solid.dynamic_viscosity, solid.fluid);
     }
     // inactive particles are held, so nothing acts on them
     rows[INACTIVE as usize][1] = INACTIVE_ROLE;

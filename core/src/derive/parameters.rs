@@ -5,6 +5,7 @@ use super::emission::drains;
 use super::kernel_constants::{laplacian, near_slope_constant, power, value};
 use super::materials::{CORRECTION_SOURCE, VISCOSITY_OF_PARTICLE};
 use super::scales::Scales;
+use super::solids::{pose_rows, rows};
 use super::step_limits::StepLimits;
 use crate::layout::{PLANES, Parameters, Planes, StepUniform};
 use crate::scene::{Elasticity, FACES, Face, NearPressure, Scene, Shifting, SupportRange, Viscosity};
@@ -132,16 +133,18 @@ pub(super) fn parameters(
         largest_time_step: adaptive.largest,
         max_time_step_growth: adaptive.max_growth,
         reject_ratio: adaptive.reject_ratio.unwrap_or(0.0),
-        closed_planes: if scene.has_closed_walls() { plane_count } else { 0 },
+        closed_planes: if scene.has_closed_container() { plane_count } else { 0 },
         ..coming_and_going(scene, counts, support)
     }
 }
 
-/// The constants of particles that come and go; all others are 0.
+/// The constants of solids, and of particles that come and go; all others are 0.
 fn coming_and_going(scene: &Scene, counts: &Counts, support: f64) -> Parameters {
     let air = scene.air.as_ref();
     Parameters {
         drains: drains(scene),
+        solids: rows(scene),
+        solid_counts: [scene.solids.len() as u32, pose_rows(scene) as u32, 0, 0],
         clearance2: scene.particle_spacing * scene.particle_spacing * (CLEARANCE * CLEARANCE),
         air_threshold: air.map_or(0.0, |air| (f64::from(air.threshold) / support) as f32),
         air_minimum: air.map_or(0.0, |air| air.minimum_density),

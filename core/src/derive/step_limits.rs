@@ -24,7 +24,8 @@ pub(super) fn kinematic_viscosity(scene: &Scene, scales: &Scales, fluids: &[Flui
         let lightest = scene.fluids.iter().map(|fluid| f64::from(fluid.rest_density)).fold(f64::INFINITY, f64::min);
         let walls = scene.walls.iter().filter_map(|wall| wall.dynamic_viscosity);
         let planes = scene.container.iter().filter_map(|container| container.dynamic_viscosity);
-        largest(&mut pairs.chain(walls.chain(planes).map(|viscosity| f64::from(viscosity) / lightest)))
+        let solids = scene.solids.iter().filter_map(|solid| solid.dynamic_viscosity);
+        largest(&mut pairs.chain(walls.chain(planes).chain(solids).map(|viscosity| f64::from(viscosity) / lightest)))
     };
     match scene.model.viscosity {
         Viscosity::VelocityExchange => 0.0,

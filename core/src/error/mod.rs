@@ -3,11 +3,13 @@
 mod field;
 mod restore;
 mod scene;
+mod solid;
 mod spawn;
 mod step;
 
 pub use field::Field;
 pub use restore::RestoreError;
 pub use scene::SceneError;
+pub use solid::SolidError;
 pub use spawn::SpawnError;
 pub use step::StepError;

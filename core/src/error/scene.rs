@@ -123,6 +123,13 @@ pub enum SceneError {
         /// Velocity along that axis, m/s.
         velocity: f32,
     },
+    /// Fluid particles start inside of a solid.
+    FluidInSolid {
+        /// Index of the solid.
+        solid: usize,
+        /// Number of these particles.
+        particles: usize,
+    },
     /// A wall is smaller than half a particle spacing or too large along an axis, or a plane has an extent along its
     /// normal.
     WallExtent {
@@ -296,6 +303,11 @@ impl fmt::Display for SceneError {
                 write!(f, "walls[{wall}] extends {size} m along {axis}; a plane must extend 0 m along its normal, ")?;
                 write!(f, "and every other extent must be half a particle_spacing to 2^28 particle_spacings")
             }
+            SceneError::FluidInSolid { solid, particles } => write!(
+                f,
+                "{particles} fluid particles start inside of solids[{solid}]; move the solid or the blocks, or set hollow \
+                 if the fluid is to be inside of it"
+            ),
             SceneError::TooFewPoints { axis, points } => {
                 write!(f, "acceleration_field.counts is {points} along {axis}, but must be at least 2")
             }

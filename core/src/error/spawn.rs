@@ -11,6 +11,8 @@ pub enum SpawnError {
     NoSpare,
     /// The position lies behind a plane of the container.
     BehindPlane,
+    /// The position lies in a solid.
+    InSolid,
     /// The scene has no particles that can be inactive.
     NotPlanned,
     /// A number is not finite.
@@ -39,6 +41,7 @@ impl fmt::Display for SpawnError {
             SpawnError::NoSpare => {
                 write!(f, "no inactive particle is left; increase spare_particles, or remove particles first")
             }
+            SpawnError::InSolid => write!(f, "the position lies in a solid"),
             SpawnError::BehindPlane => write!(f, "the position lies behind a plane of the container"),
             SpawnError::NotPlanned => write!(f, "the scene has no spare_particles, emitters or drains; add some"),
             SpawnError::NotFinite => write!(f, "position, velocity and life must be finite numbers"),

@@ -1,9 +1,9 @@
 //! Constants of each material. A particle stores the index of its material.
 use super::{f32x4, shared};
 
-/// Number of materials that there is room for: fluids, blocks with their own viscosity, walls, and, as the last one,
+/// Number of materials that there is room for: fluids, blocks with their own viscosity, walls, solids, and, as the last one,
 /// inactive air particles.
-pub const MATERIALS: usize = 256;
+pub const MATERIALS: usize = 64;
 
 /// One row per material.
 pub type MaterialRows = [f32x4; MATERIALS];

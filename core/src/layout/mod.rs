@@ -9,6 +9,7 @@
 mod materials;
 mod model;
 mod parameters;
+mod solids;
 mod status;
 mod step_uniform;
 mod tables;
@@ -16,6 +17,7 @@ mod tables;
 pub use materials::{MATERIALS, MaterialRows, Materials};
 pub use model::Model;
 pub use parameters::{DRAIN_ROWS, PLANES, Parameters};
+pub use solids::{POSE_STRIDE, SOLID_ROWS, SOLID_STRIDE, SolidRows};
 pub use status::{MOST_ATTEMPTS, NONE, QUANTITIES_OF_ID, Status};
 pub use step_uniform::StepUniform;
 pub use tables::{TABLE_ENTRIES, TABLE_WORDS, TABLES, Tables};

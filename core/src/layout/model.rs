@@ -47,8 +47,12 @@ shared! {
         /// 1: penalty planes return only the share of the normal velocity that corresponds to the part of the path
         /// behind the plane (energy conserving, Kelager 2006).
         pub has_conserving_reflection: u32,
-        /// 1: the penalty planes are walls in closed form ([`terms::beyond`](crate::terms::beyond)).
+        /// 1: the penalty planes, or some solids, are walls in closed form ([`terms::beyond`](crate::terms::beyond)).
         pub has_closed_walls: u32,
+        /// 1: there are solids.
+        pub has_solids: u32,
+        /// 1: there is a solid with particles that moves.
+        pub has_carried: u32,
         /// [`terms::wall`](crate::terms::wall): wall particles; 0: none.
         pub wall_particles: u32,
         /// 1: at least one axis is periodic.

@@ -1,5 +1,5 @@
 //! The constants of a scene, computed once on the CPU and passed to both backends bit by bit.
-use super::{DrainRows, Planes, f32x4, shared, u32x4};
+use super::{DrainRows, Planes, SolidRows, f32x4, shared, u32x4};
 
 /// Number of rows of the drains, two for each.
 pub const DRAIN_ROWS: usize = 16;
@@ -36,6 +36,10 @@ shared! {
         /// Two rows per drain: the centre of a ball, m, and its squared radius, m2, or the lowest corner of a box, m,
         /// and 0; the highest corner of a box, m, with w unused.
         pub drains: DrainRows,
+        /// The solids: [`SOLID_STRIDE`](super::SOLID_STRIDE) rows of each.
+        pub solids: SolidRows,
+        /// Number of solids, and number of rows of their poses and of the sides of polygons; z and w unused.
+        pub solid_counts: u32x4,
         /// Number of all particles.
         pub particle_count: u32,
         /// Number of penalty planes in use.

@@ -59,6 +59,10 @@ shared! {
         pub total_born: u32,
         /// Particles that became inactive in all accepted steps.
         pub total_removed: u32,
+        /// Particles of the current step that were found in a solid.
+        pub hits: u32,
+        /// Particles that were found in a solid, in all accepted steps.
+        pub total_hits: u32,
         /// Active particles of the air layer after the current step.
         pub alive: u32,
         /// Active particles of the air layer after the last accepted step.

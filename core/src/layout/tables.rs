@@ -6,8 +6,8 @@ pub const TABLE_ENTRIES: usize = 1025;
 
 /// Number of tables: value of the density kernel, slope of the pressure kernel, and slope or Laplacian of the viscosity
 /// kernel; then, for the density kernel and for the pressure kernel, what of it lies beyond a plane, and its integral
-/// over the plane.
-pub const TABLES: usize = 7;
+/// over the plane; then, for both, the correction of the former for curved surfaces.
+pub const TABLES: usize = 9;
 
 /// Number of words in all tables, rounded up to a multiple of four for the GPU.
 pub const TABLE_WORDS: usize = (TABLES * TABLE_ENTRIES).next_multiple_of(4);

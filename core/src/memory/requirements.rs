@@ -41,6 +41,8 @@ pub struct Counts {
     pub emitters: usize,
     /// Number of points of all emitters.
     pub emitter_points: usize,
+    /// Number of rows of the poses of solids and of the sides of polygons.
+    pub pose_rows: usize,
     /// Number of nodes of the acceleration field supplied by the caller.
     pub field_nodes: usize,
 }
@@ -73,6 +75,7 @@ impl Requirements {
             spares: if scene.has_turnover() { derived.particles() } else { derived.inactive_particles },
             emitters: scene.emitters.len(),
             emitter_points: derived.emitter_points,
+            pose_rows: derived.pose_rows,
             field_nodes: derived.field_counts[3] as usize,
         };
         Requirements { model, counts }
@@ -103,8 +106,7 @@ impl Requirements {
     /// Number of entries of an array; 0 if it does not exist.
     #[must_use]
     pub fn entries(&self, array: Array) -> usize {
-        let Counts { particles, cells, list_words, spring_ends, spares, emitters, emitter_points, field_nodes } =
-            self.counts;
+        let Counts { particles, cells, list_words, spring_ends, spares, .. } = self.counts;
         if !array.exists(&self.model) {
             return 0;
         }
@@ -115,9 +117,10 @@ impl Requirements {
             Unit::NeighbourWord => particles.saturating_mul(list_words),
             Unit::SpringEnd => spring_ends,
             Unit::SpawnRequest => particles.saturating_add(spares),
-            Unit::Emitter => emitters,
-            Unit::EmitterRow => emitter_points.saturating_mul(2),
-            Unit::FieldPoint => field_nodes,
+            Unit::Emitter => self.counts.emitters,
+            Unit::EmitterRow => self.counts.emitter_points.saturating_mul(2),
+            Unit::PoseRow => self.counts.pose_rows,
+            Unit::FieldPoint => self.counts.field_nodes,
             Unit::TableWord => TABLE_WORDS,
         }
     }

@@ -1,12 +1,13 @@
-//! Walls in closed form: adds up what lies beyond the planes around a particle.
+//! Walls in closed form: adds up what lies beyond the planes and the solids around a particle.
+use super::closed_solids;
 use super::context::Setup;
 use crate::arithmetic::lanes::Lanes;
-use crate::arithmetic::real::{div, less, vec3};
+use crate::arithmetic::real::{abs, div, larger, less, vec3};
 use crate::layout::PLANES;
 use crate::passes::lists::GROUP;
 use crate::terms::beyond::{
-    Beyond, DENSITY_GAMMA, DENSITY_SURFACE, PRESSURE_GAMMA, PRESSURE_SURFACE, height_in_front, normal_diagonal,
-    normal_mixed, part_in_front, plane_drag, plane_surface,
+    Beyond, DENSITY_BENDING, DENSITY_GAMMA, DENSITY_SURFACE, PRESSURE_BENDING, PRESSURE_GAMMA, PRESSURE_SURFACE,
+    height_in_front, normal_diagonal, normal_mixed, part_in_front, plane_drag, plane_surface,
 };
 use crate::terms::geometry::dot3;
 use crate::terms::pair::Local;
@@ -33,23 +34,58 @@ impl<R: Lanes> Front<R> {
 /// Returns what of the pressure kernel lies beyond the walls.
 #[inline(always)]
 pub(crate) fn of_pressure<R: Lanes>(setup: &Setup<'_>, front: Front<R>) -> Beyond<R> {
-    in_lanes(setup, front, [PRESSURE_GAMMA, PRESSURE_SURFACE])
+    in_lanes(setup, front, [PRESSURE_GAMMA, PRESSURE_SURFACE, PRESSURE_BENDING])
 }
 
 /// Returns what of the density kernel lies beyond the walls.
 #[inline(always)]
 pub(crate) fn of_density<R: Lanes>(setup: &Setup<'_>, front: Front<R>) -> Beyond<R> {
-    in_lanes(setup, front, [DENSITY_GAMMA, DENSITY_SURFACE])
+    in_lanes(setup, front, [DENSITY_GAMMA, DENSITY_SURFACE, DENSITY_BENDING])
 }
 
-/// Returns for each plane which part of the pressure kernel lies beyond it.
-pub(crate) fn beyond_each(setup: &Setup<'_>, front: Front<f32>) -> [f32; PLANES] {
-    parts_in_front(setup, front, PRESSURE_GAMMA).map(|part| 1.0 - part)
+/// What of the pressure kernel lies beyond one of the walls, for the forces on it.
+pub(crate) struct OneWall {
+    /// What it contributes to that of all walls.
+    pub beyond: Beyond<f32>,
+    /// Which share of the parts that lie beyond walls lies beyond this one.
+    pub share: f32,
+    /// Vector from the particle to its surface, m.
+    pub foot: vec3<f32>,
+}
+
+/// Returns what lies beyond one wall, by its index: first the planes, then the solids. `None` if it is far away.
+pub(crate) fn of_wall(setup: &Setup<'_>, front: Front<f32>, wall: usize) -> Option<OneWall> {
+    let tables = [PRESSURE_GAMMA, PRESSURE_SURFACE, PRESSURE_BENDING];
+    let parts = parts_in_front(setup, front, PRESSURE_GAMMA);
+    let mut in_front = parts.iter().fold(1.0, |all, part| all * part);
+    let mut sum = parts.iter().map(|part| 1.0 - part).sum::<f32>();
+    for (_, part) in closed_solids::parts(setup, front, tables) {
+        in_front *= 1.0 - part;
+        sum += part;
+    }
+    if wall >= PLANES {
+        let (beyond, part, foot) = closed_solids::of_solid(setup, front, tables, in_front, wall - PLANES)?;
+        return (part > 0.0).then_some(OneWall { beyond, share: part / sum, foot });
+    }
+    let part = *parts.get(wall).filter(|part| **part < 1.0)?;
+    let face = plane_face(setup, front, wall);
+    let beyond = with_face(setup, front, tables, NOTHING, face, div(in_front, part));
+    Some(OneWall { beyond, share: (1.0 - part) / sum, foot: face.normal * -face.height })
+}
+
+/// Returns a plane as a face.
+fn plane_face(setup: &Setup<'_>, front: Front<f32>, plane: usize) -> Face {
+    let p = setup.parameters;
+    let (plane, wall) = (p.planes[plane], p.plane_velocities[plane]);
+    let normal = vec3::splat(plane);
+    let height = height_in_front(front.position, normal, plane[3]);
+    let ratio = height * div(1.0, front.support) * p.inverse_support;
+    Face { normal, height, ratio, velocity: vec3::splat(wall), viscosity: wall[3] }
 }
 
 /// Receiver by receiver, because most are far from all walls.
 #[inline(always)]
-fn in_lanes<R: Lanes>(setup: &Setup<'_>, front: Front<R>, tables: [u32; 2]) -> Beyond<R> {
+fn in_lanes<R: Lanes>(setup: &Setup<'_>, front: Front<R>, tables: [u32; 3]) -> Beyond<R> {
     let mut each = [NOTHING; GROUP];
     for (receiver, own) in each.iter_mut().enumerate().take(R::RECEIVERS) {
         let lane = receiver * R::NEIGHBOURS;
@@ -80,7 +116,7 @@ fn in_lanes<R: Lanes>(setup: &Setup<'_>, front: Front<R>, tables: [u32; 2]) -> B
 const ZERO: vec3<f32> = vec3 { x: 0.0, y: 0.0, z: 0.0 };
 
 /// What lies beyond no wall.
-const NOTHING: Beyond<f32> =
+pub(super) const NOTHING: Beyond<f32> =
     Beyond { gamma: 0.0, surface: ZERO, lever: ZERO, lever_mixed: ZERO, approach: 0.0, drag: ZERO };
 
 /// Returns for each plane which part of a kernel lies in front of it, by the table of its gamma.
@@ -98,27 +134,58 @@ fn parts_in_front(setup: &Setup<'_>, front: Front<f32>, gamma: u32) -> [f32; PLA
 }
 
 #[inline(never)]
-fn beyond(setup: &Setup<'_>, front: Front<f32>, [gamma, surface]: [u32; 2]) -> Beyond<f32> {
-    let (p, t) = (setup.parameters, setup.tables);
+fn beyond(setup: &Setup<'_>, front: Front<f32>, tables: [u32; 3]) -> Beyond<f32> {
+    let p = setup.parameters;
+    let [gamma, ..] = tables;
     let parts = parts_in_front(setup, front, gamma);
-    let in_front = parts.iter().fold(1.0, |all, part| all * part);
-    let scale = div(1.0, front.support);
-    let mut sum = Beyond { gamma: 1.0 - in_front, ..NOTHING };
-    let planes = &p.planes[..p.closed_planes as usize];
-    for ((part, plane), wall) in parts.iter().zip(planes).zip(&p.plane_velocities) {
-        let normal = vec3::splat(*plane);
-        let height = height_in_front(front.position, normal, plane[3]);
-        let ratio = height * scale * p.inverse_support;
-        if !less(ratio, 1.0) {
-            continue;
-        }
-        let w1 = plane_surface(p, t, surface, ratio, scale, div(in_front, *part));
-        let slip = front.velocity - vec3::splat(*wall);
-        sum.surface = sum.surface + normal * w1;
-        sum.lever = sum.lever + normal_diagonal(normal) * (w1 * height);
-        sum.lever_mixed = sum.lever_mixed + normal_mixed(normal) * (w1 * height);
-        sum.approach -= dot3(slip, normal) * w1;
-        sum.drag = sum.drag + plane_drag(p, slip, normal, height, w1, wall[3], front.viscosity);
+    let mut in_front = parts.iter().fold(1.0, |all, part| all * part);
+    if setup.model.has_solids == 1 {
+        in_front = closed_solids::part_in_front(setup, front, tables, in_front);
     }
+    let mut sum = Beyond { gamma: 1.0 - in_front, ..NOTHING };
+    for (plane, part) in parts.iter().enumerate().take(p.closed_planes as usize) {
+        let face = plane_face(setup, front, plane);
+        if less(face.ratio, 1.0) {
+            sum = with_face(setup, front, tables, sum, face, div(in_front, *part));
+        }
+    }
+    if setup.model.has_solids == 1 {
+        sum = closed_solids::with_solids(setup, front, tables, sum, in_front);
+    }
+    sum
+}
+
+/// A plane, or what stands for one, in front of a particle.
+#[derive(Clone, Copy)]
+pub(super) struct Face {
+    pub normal: vec3<f32>,
+    /// Distance of the particle from it, m; negative behind it.
+    pub height: f32,
+    /// The same over the support radius of the particle.
+    pub ratio: f32,
+    /// Its velocity, m/s.
+    pub velocity: vec3<f32>,
+    /// Its dynamic viscosity, Pa s; negative for that of the particle.
+    pub viscosity: f32,
+}
+
+/// Adds what a face contributes; `share` is the part of its surface that counts.
+pub(super) fn with_face(
+    setup: &Setup<'_>,
+    front: Front<f32>,
+    [_, surface, _]: [u32; 3],
+    mut sum: Beyond<f32>,
+    face: Face,
+    share: f32,
+) -> Beyond<f32> {
+    let (p, t) = (setup.parameters, setup.tables);
+    let Face { normal, height, ratio, velocity, viscosity } = face;
+    let w1 = plane_surface(p, t, surface, abs(ratio), div(1.0, front.support), share);
+    let slip = front.velocity - velocity;
+    sum.surface = sum.surface + normal * w1;
+    sum.lever = sum.lever + normal_diagonal(normal) * (w1 * height);
+    sum.lever_mixed = sum.lever_mixed + normal_mixed(normal) * (w1 * height);
+    sum.approach -= dot3(slip, normal) * w1;
+    sum.drag = sum.drag + plane_drag(p, slip, normal, larger(height, 0.0), w1, viscosity, front.viscosity);
     sum
 }

@@ -23,15 +23,15 @@ pub(crate) struct Columns {
 }
 
 impl Columns {
-    /// Builds the columns of a scene with this many fluids, blocks and walls.
-    pub(crate) fn of(materials: &Materials, [fluids, blocks, walls]: [usize; 3]) -> Columns {
+    /// Builds the columns of a scene with this many fluids, blocks, walls and solids. They have no room for solids.
+    pub(crate) fn of(materials: &Materials, [fluids, blocks, walls, solids]: [usize; 4]) -> Columns {
         let [first_block, first_wall] = [FIRST_BLOCK as usize, FIRST_WALL as usize];
         let in_use = (0..fluids).chain(first_block..first_block + blocks).chain(first_wall..first_wall + walls);
         let mut columns = Columns {
             properties: [[0.0; FEW]; 4],
             states: [[0.0; FEW]; 4],
             corrections: [[0.0; FEW]; 4],
-            hold_all: fluids + blocks + walls <= FEW,
+            hold_all: fluids + blocks + walls <= FEW && solids == 0,
             gaps: [(first_block - fluids) as f32, (first_wall - fluids - blocks) as f32],
         };
         for (place, material) in in_use.enumerate().take(FEW) {

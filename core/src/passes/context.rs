@@ -27,6 +27,8 @@ pub(crate) struct Setup<'a> {
     pub uniform: &'a StepUniform,
     pub tables: &'a Tables,
     pub field: &'a [f32x4],
+    /// Poses of the solids at the end of the step, and the sides of polygons.
+    pub poses: &'a [f32x4],
     pub simd: Simd,
 }
 

@@ -29,6 +29,7 @@
 pub(crate) mod beyond;
 mod by_model;
 mod candidates;
+mod closed_solids;
 pub(crate) mod columns;
 pub(crate) mod context;
 mod density_sums;
@@ -43,7 +44,9 @@ mod pairs;
 mod places;
 
 pub(crate) mod a_move {
+    pub(crate) mod carry;
     pub(crate) mod integrate_before;
+    pub(crate) mod move_solids;
 }
 
 pub(crate) mod b_sort {
@@ -81,6 +84,7 @@ pub(crate) mod e_pressure {
 }
 
 pub(crate) mod f_advance {
+    pub(crate) mod contact;
     pub(crate) mod emit;
     pub(crate) mod integrate_after;
     pub(crate) mod internal_energy;

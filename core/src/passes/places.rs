@@ -3,6 +3,7 @@ use super::context::Setup;
 use crate::arithmetic::real::vec3;
 use crate::grid::{Cells, Stencil, cell_of};
 use crate::layout::f32x4;
+use crate::solids::is_in_solid;
 use crate::terms::air::{is_taken, spawn_position};
 use crate::terms::boundary::depth_behind;
 
@@ -28,12 +29,15 @@ impl Places<'_> {
         Some(Stencil::around(setup.parameters, setup.model.is_3d as i32, self.sorted, cell as usize))
     }
 
-    /// Returns whether no particle is near a position and the position is not behind a plane of the container.
+    /// Returns whether no particle is near a position and the position is not behind a plane of the container or in a
+    /// solid.
     pub(super) fn is_free(&self, setup: &Setup<'_>, place: vec3<f32>, around: &Stencil) -> bool {
         let (m, p) = (setup.model, setup.parameters);
         let planes = if m.has_container == 1 { p.plane_count as usize } else { 0 };
         let behind = |plane: &f32x4| depth_behind(place, vec3::splat(*plane), plane[3]) > 0.0;
         let taken = |b: usize| is_taken(m, p, place, vec3::<f32>::splat(self.position[b])) > 0.0;
-        !p.planes[..planes].iter().any(behind) && !around.runs().flatten().any(taken)
+        let is_behind = p.planes[..planes].iter().any(behind);
+        let is_inside = m.has_solids == 1 && is_in_solid(m, p, setup.poses, place);
+        !is_behind && !is_inside && !around.runs().flatten().any(taken)
     }
 }

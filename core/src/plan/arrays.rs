@@ -47,6 +47,10 @@ macro_rules! with_arrays {
                 /// Time since the last layer of an emitter, s, what it lost to rounding, how long the emitter still
                 /// runs, s, and the number of its layers. Only with emitters.
                 emitter_state as Emission: f32x4 per Emitter, if |m| m.has_emitters == 1;
+                /// Position, rotation, velocity and angular velocity of each solid
+                /// ([`POSE_STRIDE`](crate::layout::POSE_STRIDE) rows); then, for each side of a polygon, the corner at
+                /// which it begins and the vector to its end, m, which never change. Only with solids.
+                pose as Pose: f32x4 per PoseRow, if |m| m.has_solids == 1;
                 /// What the integrator needs of previous steps: the last displacement, m, or the previous acceleration,
                 /// m/s2; w unused. Only with integrators that need it.
                 history as History: f32x4 per Particle, if |m| has_history(m), from history@old;
@@ -104,6 +108,8 @@ macro_rules! with_arrays {
                 /// Accelerations at the start of the step, in the slots after it, m/s2. Only with integrators that need
                 /// them at the end of the step.
                 start_acceleration: f32x4 per Particle, if |m| needs_start_acceleration(m), from acceleration@old;
+                /// Positions at the start of the step, in the slots after it, m. Only with solids.
+                start_position: f32x4 per Particle, if |m| m.has_solids == 1, from position@old;
                 /// Predicted velocities at the end of the step, m/s; w: material. Only if sums over pairs need them
                 /// before they are final.
                 end_velocity: f32x4 per Particle, if |m| needs_predicted_velocity(m);
@@ -137,6 +143,9 @@ macro_rules! with_arrays {
                 /// For each point of an emitter two rows: its position, m, and the index of its emitter; the velocity
                 /// of its particles, m/s, and their material. Only with emitters.
                 emitter_points: f32x4 per EmitterRow, if |m| m.has_emitters == 1;
+                /// By id: position of a particle of a solid in the frame of that solid, m; w: the number of the solid,
+                /// or -1 for all other particles. Only if a solid with particles moves.
+                anchor: f32x4 per Particle, if |m| m.has_carried == 1;
             }
         }
     };
@@ -160,6 +169,8 @@ pub enum Unit {
     SpawnRequest,
     /// An emitter.
     Emitter,
+    /// A row of the pose of a solid, or of a side of a polygon.
+    PoseRow,
     /// A row of a point of an emitter, of which each point has two.
     EmitterRow,
     /// A node of the acceleration field supplied by the caller.

@@ -38,6 +38,8 @@ impl Plan {
         let continuity = density::is_stepped(m);
         let corrects = m.corrects_pressure();
         match pass {
+            Pass::MoveSolids => add(&["course_position", "course_angle"], true),
+            Pass::Contact => add(&["shape_distance", "reflected"], true),
             Pass::IntegrateBefore => {
                 add(&choice.integrator.terms()[..1], true);
                 add(&["drift"], drifts(m));
@@ -155,7 +157,12 @@ impl Plan {
             (m.has_wind == 0, "wind", "wind is not set, or its drag is 0"),
             (m.has_acceleration_field == 0, "acceleration field", "acceleration_field is not set"),
             (m.has_container == 0, "penalty planes", "container is not set"),
-            (m.has_closed_walls == 0, "walls in closed form", "container is not set, or container.model is Penalty"),
+            (m.has_solids == 0, "solids", "solids is empty"),
+            (
+                m.has_closed_walls == 0,
+                "walls in closed form",
+                "neither container.model nor the model of a solid is ClosedForm",
+            ),
             (m.wall_particles == 0, "wall particles", "the scene has no walls"),
             (m.is_periodic == 0, "periodic images", "no axis is periodic"),
             (m.has_variable_support == 0, "variable support", "model.variable_support is not set"),

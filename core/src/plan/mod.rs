@@ -16,7 +16,7 @@ pub use explain::{LeftOut, Terms};
 use crate::layout::Model;
 use crate::scene::{
     Adjustable, DensityForm, Dimension, Evaluation, Fluid, Formulation, GridStructure, NearPressure, Reflection,
-    Shifting, SurfaceTension, Traversal, Viscosity,
+    Shifting, Solid, SurfaceTension, Traversal, Viscosity,
 };
 use crate::terms::{diffusion, near, shifting, tension, viscosity, wall};
 use crate::validate::Checked;
@@ -45,6 +45,7 @@ impl Plan {
             || scene.fluids.iter().any(|fluid| fluid.dynamic_viscosity != 0.0)
             || scene.blocks.iter().any(|b| b.dynamic_viscosity.is_some_and(|mu| mu != 0.0))
             || scene.walls.iter().any(|w| w.dynamic_viscosity.is_some_and(|mu| mu != 0.0))
+            || scene.solids.iter().any(|s| s.dynamic_viscosity.is_some_and(|mu| mu != 0.0))
             || scene.container.iter().any(|c| c.dynamic_viscosity.is_some_and(|mu| mu != 0.0));
         let damps = choice.alpha != 0.0 || choice.beta != 0.0;
         let viscosity = match choice.viscosity {
@@ -52,7 +53,7 @@ impl Plan {
             Viscosity::Artificial | Viscosity::VelocityExchange => viscosity::NO_VISCOSITY,
             Viscosity::MorrisAndArtificial if rubs && !damps => viscosity::MORRIS,
             // alone it acts at walls of particles too
-            Viscosity::MorrisAndArtificial if damps && !rubs && scene.walls.is_empty() => viscosity::ARTIFICIAL,
+            Viscosity::MorrisAndArtificial if damps && !rubs && !scene.has_wall_particles() => viscosity::ARTIFICIAL,
             form if rubs || (damps && form == Viscosity::MorrisAndArtificial) => form as u32,
             _ => viscosity::NO_VISCOSITY,
         };
@@ -61,6 +62,7 @@ impl Plan {
         let pulls = scene.fluids.iter().any(|fluid| fluid.surface_tension != 0.0);
         let several = scene.fluids.len() > 1;
         let pulls = pulls || live(Adjustable::SurfaceTension);
+        let walls = scene.has_wall_particles();
         let blocks_differ = scene.blocks.iter().any(|b| b.dynamic_viscosity.is_some());
         Plan {
             model: Model {
@@ -76,10 +78,10 @@ impl Plan {
                 has_buoyancy: u32::from(scene.ambient_density != 0.0),
                 has_wind: u32::from(scene.wind.is_some_and(|w| w.drag != 0.0) || live(Adjustable::Wind)),
                 has_container: u32::from(scene.container.is_some()),
-                wall_particles: if scene.walls.is_empty() { wall::NO_WALLS } else { everything.model.wall_particles },
+                wall_particles: if walls { everything.model.wall_particles } else { wall::NO_WALLS },
                 has_variable_support: u32::from(choice.variable_support.is_some()),
                 has_variable_mass: u32::from(choice.initialize_hydrostatic),
-                has_materials: u32::from(blocks_differ || several || !scene.walls.is_empty() || scene.has_inactive()),
+                has_materials: u32::from(blocks_differ || several || walls || scene.has_inactive()),
                 is_multi_fluid: u32::from(several),
                 tension: if pulls { everything.model.tension } else { tension::NO_TENSION },
                 has_air: u32::from(scene.air.is_some()),
@@ -141,6 +143,8 @@ impl Plan {
                 has_conserving_reflection: scene.container.as_ref().map_or(Reflection::default(), |c| c.reflection)
                     as u32,
                 has_closed_walls: u32::from(scene.has_closed_walls()),
+                has_solids: u32::from(!scene.solids.is_empty()),
+                has_carried: u32::from(scene.solids.iter().any(Solid::carries)),
                 wall_particles: choice.wall_pressure as u32,
                 is_periodic: u32::from(scene.periodic_axes().next().is_some()),
                 // kernel tables are made for a single support, and the half stencil searches with a single support

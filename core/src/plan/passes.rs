@@ -21,11 +21,16 @@ use crate::terms::wall::EXTRAPOLATED;
 macro_rules! with_passes {
     ($callback:ident) => {
         $callback! {
+            /// Moves the solids to where they are at the end of the step (with solids).
+            MoveSolids: a_move / move_solids, group, reads, if |m| m.has_solids == 1, [read pose@old, write pose@new];
             /// Moves the particles to the positions at which the forces are evaluated: the first half of the
             /// integrator.
             IntegrateBefore: a_move / integrate_before, particles, reads, if |_| true, [
                 read position@old, read velocity@old, read acceleration@old, read drift_velocity@old, read history@old,
                 write moved_position, write moved_velocity];
+            /// Carries the particles of solids along with them (if a solid with particles moves).
+            Carry: a_move / carry, particles, reads, if |m| m.has_carried == 1, [
+                read id@old, read anchor, read pose@new, write moved_position, write moved_velocity];
             /// Finds the cell of each particle, and counts the particles in each cell.
             Count: b_sort / count, particles, counts, if |_| true, [
                 read moved_position, read moved_velocity, read id@old, write cell, write rank];
@@ -55,11 +60,11 @@ macro_rules! with_passes {
             /// need them).
             Renormalise: c_density / renormalise, particles, reads, if |m| m.renormalises(), [
                 read cell_start, read position@new, read velocity@new, read previous_density_pressure,
-                read support_ratio, read acceleration_field, write renormalised_gradient];
+                read support_ratio, read acceleration_field, read pose@new, write renormalised_gradient];
             /// Computes density, pressure and volume.
             Density: c_density / density, particles, reads, if |_| true, [
                 read cell_start, read position@new, read velocity@new, read previous_density_pressure,
-                read support_ratio, read renormalised_gradient, write density_pressure@new];
+                read support_ratio, read renormalised_gradient, read pose@new, write density_pressure@new];
             /// Takes pressure and velocity from the fluid to wall particles (with extrapolated walls).
             WallSums: c_density / wall_sums, particles, reads, if |m| m.wall_particles == EXTRAPOLATED, [
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read support_ratio,
@@ -70,15 +75,16 @@ macro_rules! with_passes {
             /// Computes accelerations; with pressure correction, those without pressure.
             Force: d_forces / force, particles, reads, if |_| true, [
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read support_ratio,
-                read acceleration_field, read seen_velocity, read renormalised_gradient, write acceleration@force];
+                read acceleration_field, read seen_velocity, read renormalised_gradient, read pose@new,
+                write acceleration@force];
             /// Finds the normals of surfaces (if the surface tension or the caller needs them).
             Normals: d_forces / normals, particles, reads, if |m| m.has_normals == 1, [
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read support_ratio,
-                write normal@new];
+                read pose@new, write normal@new];
             /// Finds the particles of liquid at the free surface (with air).
             Exposure: d_forces / exposure, particles, reads, if |m| m.has_air == 1, [
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read support_ratio,
-                write total_colour_gradient];
+                read pose@new, write total_colour_gradient];
             /// Adds the acceleration by the curvature of surfaces (with a surface tension by curvature).
             Tension: d_forces / tension, particles, reads, if |m| m.has_curvature(), [
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read support_ratio,
@@ -94,11 +100,11 @@ macro_rules! with_passes {
             /// Adds the acceleration by pressure (with pressure correction; runs once more than the next two passes).
             PressureForce: e_pressure / pressure_force, particles, reads, if |m| m.corrects_pressure(), [
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read support_ratio,
-                read acceleration_field, read non_pressure_acceleration, write acceleration@new];
+                read acceleration_field, read non_pressure_acceleration, read pose@new, write acceleration@new];
             /// Corrects the pressures by the error of the density that they would lead to (with pressure correction).
             PressureCorrect: e_pressure / pressure_correct, particles, counts, if |m| m.corrects_pressure(), [
                 read cell_start, read position@new, read velocity@new, read acceleration@new, read support_ratio,
-                write density_pressure@new];
+                read pose@new, write density_pressure@new];
             /// Checks whether the pressure iteration has converged.
             PressureConverged: e_pressure / pressure_converged, group, counts, if |m| m.corrects_pressure(), [];
             /// Predicts the velocities at the end of the step (if sums over pairs need them).
@@ -116,19 +122,25 @@ macro_rules! with_passes {
             /// Computes the velocities of the shifting of particles (with shifting).
             Shift: f_advance / shift, particles, reads, if |m| m.shifting != NO_SHIFTING, [
                 read cell_start, read position@new, read velocity@new, read density_pressure@new, read support_ratio,
-                read renormalised_gradient, write drift_velocity@new];
+                read renormalised_gradient, read pose@new, write drift_velocity@new];
             /// Finds the particles that request an air particle beside them (with air).
             SpawnRequests: f_advance / spawn_requests, particles, reads, if |m| m.has_air == 1, [
-                read cell_start, read position@new, read total_colour_gradient, read id@new, write spawn_requested];
+                read cell_start, read position@new, read total_colour_gradient, read id@new, read pose@new,
+                write spawn_requested];
             /// Finds the points of emitters at which a particle is to be made (with emitters).
             Emit: f_advance / emit, particles, reads, if |m| m.has_emitters == 1, [
                 read cell_start, read position@new, read total_colour_gradient, read spawn_requested,
-                read emitter_points, read emitters, read emitter_state@old, write emitter_state@new, write emission];
+                read emitter_points, read emitters, read pose@new, read emitter_state@old, write emitter_state@new,
+                write emission];
             /// Advances velocities and positions to the end of the step, and applies the penalty planes: the second
             /// half of the integrator.
             IntegrateAfter: f_advance / integrate_after, particles, reads, if |m| m.integrates_after(), [
                 write position@new, write velocity@new, read acceleration@new, read start_acceleration,
                 read end_velocity, write history@new];
+            /// Puts particles that came into a solid back to its surface, and reflects their velocities (with solids).
+            Contact: f_advance / contact, particles, counts, if |m| m.has_solids == 1, [
+                read start_position, write position@new, write velocity@new, read acceleration@new, write history@new,
+                read pose@old, read pose@new];
             /// Finds the particles that become inactive: air that is too thin, what drains take, and what has lived long
             /// enough (if particles can be inactive).
             Leave: g_finish / leave, particles, reads, if |m| m.has_inactive == 1, [

@@ -67,12 +67,12 @@ pub fn schedule(m: &Model, iterations: u32) -> Schedule {
     commands
 }
 
-/// The commands that only evaluate forces, with time at rest or running backwards. No particles come or go in them, and
-/// they iterate no pressure, since there is no next density to correct.
+/// The commands that only evaluate forces, with time at rest or running backwards. No particles come or go in them, none
+/// is put back to the surface of a solid, and they iterate no pressure, since there is no next density to correct.
 #[must_use]
 pub fn evaluation(m: &Model) -> Schedule {
     let makes = |command: &Command| {
-        matches!(command.pass(), Some(Pass::SpawnRequests | Pass::Leave | Pass::Spawn | Pass::Renew))
+        matches!(command.pass(), Some(Pass::SpawnRequests | Pass::Leave | Pass::Spawn | Pass::Renew | Pass::Contact))
     };
     schedule(m, 0).into_iter().filter(|command| !makes(command)).collect()
 }

@@ -104,6 +104,10 @@ pub struct Block {
     /// Shape of the fluid within these extents (default the whole box).
     #[cfg_attr(feature = "serde", serde(default))]
     pub shape: BlockShape,
+    /// Whether the block leaves out the places in solids and those nearer than half a particle spacing to one (default
+    /// false: fluid that would start in a solid is an error).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub around_solids: bool,
     /// Velocity at the start, m/s (default 0). In 2D its z component must be 0.
     #[cfg_attr(feature = "serde", serde(default))]
     pub velocity: Vec3,

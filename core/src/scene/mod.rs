@@ -18,6 +18,7 @@ mod list;
 mod model;
 mod recipe;
 mod recovery;
+mod solid;
 mod surroundings;
 mod time;
 
@@ -37,6 +38,7 @@ pub use initial::InitialParticle;
 pub use model::{Correction, Formulation, SupportRange};
 pub use recipe::Recipe;
 pub use recovery::Recovery;
+pub use solid::{CORNERS, Course, Motion, SOLIDS, Shape, Solid, SolidModel};
 pub use surroundings::{AccelerationField, Periodic, WALLS, Wall, WallShape, Wind};
 pub use time::AdaptiveTimeStep;
 
@@ -109,6 +111,9 @@ pub struct Scene {
     /// Walls of fixed particles (default none).
     #[cfg_attr(feature = "serde", serde(default))]
     pub walls: Vec<Wall, WALLS>,
+    /// Solids: obstacles and containers of any shape, at rest or in motion (default none).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub solids: Vec<Solid, SOLIDS>,
     /// Periodic domain (default none).
     #[cfg_attr(feature = "serde", serde(default))]
     pub periodic: Option<Periodic>,
@@ -170,6 +175,7 @@ impl Scene {
             blocks: [block].into_iter().collect(),
             container: None,
             walls: Vec::new(),
+            solids: Vec::new(),
             periodic: None,
             elasticity: Elasticity::default(),
             air: None,
@@ -208,6 +214,14 @@ impl Scene {
         push(&mut self.walls, wall, "walls")
     }
 
+    /// Adds a solid.
+    ///
+    /// # Errors
+    /// [`SceneError::ListIsFull`] if the scene already has [`SOLIDS`] solids.
+    pub fn add_solid(&mut self, solid: Solid) -> Result<(), SceneError> {
+        push(&mut self.solids, solid, "solids")
+    }
+
     /// Returns the fluid with the given index, or the first fluid if no fluid has this index. [`Scene::check`] rejects
     /// a scene that refers to such an index.
     #[must_use]
@@ -236,8 +250,18 @@ impl Scene {
             && !self.periodic_axes().any(|round| round == axis)
     }
 
-    /// Returns whether the planes of the container are walls in closed form.
+    /// Returns whether the planes of the container, or some solids, are walls in closed form.
     pub(crate) fn has_closed_walls(&self) -> bool {
+        self.has_closed_container() || self.solids.iter().any(|solid| solid.model == SolidModel::ClosedForm)
+    }
+
+    /// Returns whether there are wall particles: of walls or of solids.
+    pub(crate) fn has_wall_particles(&self) -> bool {
+        !self.walls.is_empty() || self.solids.iter().any(|solid| solid.model == SolidModel::Particles)
+    }
+
+    /// Returns whether the planes of the container are walls in closed form.
+    pub(crate) fn has_closed_container(&self) -> bool {
         self.container.as_ref().is_some_and(|container| container.model == PlaneModel::ClosedForm)
     }
 

@@ -40,6 +40,11 @@ pub const PRESSURE_GAMMA: u32 = 5;
 /// Table of H W1 of the pressure kernel, over d / H.
 pub const PRESSURE_SURFACE: u32 = 6;
 
+/// Table of what a curved surface takes away from gamma of the density kernel, over d / H.
+pub const DENSITY_BENDING: u32 = 7;
+/// Table of what a curved surface takes away from gamma of the pressure kernel, over d / H.
+pub const PRESSURE_BENDING: u32 = 8;
+
 /// Returns the distance of a particle in front of a plane, m; 0 behind it.
 #[inline(always)]
 pub fn height_in_front<R: Real>(position: vec3<R>, normal: vec3<R>, offset: R) -> R {
@@ -70,6 +75,37 @@ pub fn interpolated_smoothly<R: Real>(t: &Tables, table: u32, x: R) -> R {
 pub fn part_in_front<R: Real>(t: &Tables, table: u32, ratio: R) -> R {
     let one: R = real(1.0);
     return one - interpolated_smoothly(t, table, ratio);
+}
+
+/// Returns the part of the kernel that lies in front of a curved surface; `bend` is half of the sum of its principal
+/// curvatures times the support radius. It is exact to first order in the curvature: where the surface bends away from
+/// the plane that touches it, `d gamma = -(curvature / 2) integral s^2 W`, over the plane with its distance s from the
+/// particle's foot, and this is the integral of `t W1` from d on.
+#[inline(always)]
+pub fn part_in_front_of_curved<R: Real>(t: &Tables, gamma: u32, bending: u32, ratio: R, bend: R) -> R {
+    return part_in_front(t, gamma, ratio) + interpolated_smoothly(t, bending, ratio) * bend;
+}
+
+/// Returns the factor of W1 of a curved surface: `W1 = -d gamma / dd` again, with gamma as above.
+#[inline(always)]
+pub fn curved_share<R: Real>(ratio: R, bend: R) -> R {
+    let one: R = real(1.0);
+    return one - ratio * bend;
+}
+
+/// Returns the part of the kernel on this side of a plane at the distance `ratio`, which is negative behind the plane.
+#[inline(always)]
+pub fn part_below<R: Real>(t: &Tables, gamma: u32, ratio: R) -> R {
+    let one: R = real(1.0);
+    let beyond = interpolated_smoothly(t, gamma, abs(ratio));
+    return select(one - beyond, beyond, less(ratio, real(0.0)));
+}
+
+/// Returns the part of the kernel between two planes at the distances `half` from their middle; `at` is the place of
+/// the particle.
+#[inline(always)]
+pub fn part_between<R: Real>(t: &Tables, gamma: u32, half: R, at: R) -> R {
+    return part_below(t, gamma, half - at) + part_below(t, gamma, half + at) - 1.0;
 }
 
 /// Returns W1 of a plane, 1/m; `in_front` is the part of the kernel in front of all other planes, and `scale` is the

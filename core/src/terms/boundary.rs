@@ -47,8 +47,14 @@ pub fn returned_share<R: Real>(m: &Model, p: &Parameters, u: &StepUniform, veloc
     if m.has_conserving_reflection == 0 {
         return all;
     }
+    return all * share_behind(u, velocity, depth);
+}
+
+/// Returns the share of a step's path that lay behind the plane, `depth / (|v| dt)`, which is at most 1.
+#[inline(always)]
+pub fn share_behind<R: Real>(u: &StepUniform, velocity: vec3<R>, depth: R) -> R {
     let path = root(length2(velocity)) * u.time_step;
-    return smaller(div(depth, path), real(1.0)) * all;
+    return smaller(div(depth, path), real(1.0));
 }
 
 /// Returns `v' = -bounce v_n + slip v_t` for a particle behind the plane (Pirovano, section 3.5.1), where `bounce` is
@@ -62,11 +68,25 @@ pub fn reflect<R: Real>(
     normal: vec3<R>,
     depth: R,
 ) -> vec3<R> {
+    let turned = reflected(velocity, normal, returned_share(m, p, u, velocity, depth), real(p.slip));
+    return flush3(select_if_behind(velocity, turned, depth));
+}
+
+/// Returns `v' = -bounce v_n + slip v_t`, where a velocity that already leads away keeps its v_n.
+#[inline(always)]
+pub fn reflected<R: Real>(velocity: vec3<R>, normal: vec3<R>, bounce: R, slip: R) -> vec3<R> {
     let along = dot3(velocity, normal);
     let leaving = larger(along, real(0.0));
     let entering = larger(-along, real(0.0));
-    let new_along = leaving + entering * returned_share(m, p, u, velocity, depth);
-    let tangent = (velocity - normal * along) * real(p.slip);
-    let turned = tangent + normal * new_along;
-    return flush3(select_if_behind(velocity, turned, depth));
+    let tangent = (velocity - normal * along) * slip;
+    return tangent + normal * (leaving + entering * bounce);
+}
+
+/// Returns which share of a way of this length has been traced; 0 for no way.
+#[inline(always)]
+pub fn share_of_way<R: Real>(traced: R, length: R) -> R {
+    let nothing: R = real(0.0);
+    let one: R = real(1.0);
+    let has_length = less(nothing, length);
+    return select(nothing, div(traced, select(one, length, has_length)), has_length);
 }

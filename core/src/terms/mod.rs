@@ -35,11 +35,13 @@ pub mod geometry;
 pub mod integrate;
 pub mod internal_energy;
 pub mod kernel;
+pub mod motion;
 pub mod near;
 pub mod neighbour;
 pub mod pair;
 pub mod pressure;
 pub mod renormalisation;
+pub mod shape;
 pub mod shifting;
 pub mod state;
 pub mod support;
@@ -51,8 +53,8 @@ pub mod wall;
 pub mod xsph;
 
 texts!(air beyond boundary correction density diffusion elastic emission exchange external extrapolation
-    geometry internal_energy near neighbour pair pressure renormalisation shifting state support table tension time_step
-    viscosity wall xsph);
+    geometry internal_energy motion near neighbour pair pressure renormalisation shape shifting state support table
+    tension time_step viscosity wall xsph);
 
 /// Returns the name and text of every file of terms. The order is arbitrary, since WGSL does not depend on it.
 pub fn texts() -> impl Iterator<Item = (&'static str, &'static str)> {

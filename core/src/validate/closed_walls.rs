@@ -7,7 +7,6 @@ use crate::scene::{Face, Kernel, NearPressure, PlaneModel, Scene, SurfaceTension
 
 pub(super) fn check(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
     let Some(container) = &scene.container else { return Ok(()) };
-    let model = &scene.model;
     not_negative("container.dynamic_viscosity", container.dynamic_viscosity.unwrap_or(0.0))?;
     for (number, sliding) in container.sliding.iter().enumerate() {
         let field = |names| Field::of_item(names, number);
@@ -44,33 +43,7 @@ pub(super) fn check(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
             Err(not_together(field, "container.model Penalty", "penalty planes have no friction; use ClosedForm"))
         });
     }
-    let refused = [
-        (
-            model.near_pressure != NearPressure::Off,
-            "model.near_pressure",
-            "near pressure would miss the walls; set near_pressure Off, and use shifting if particles pair, or \
-             use container.model Penalty",
-        ),
-        (
-            model.internal_energy,
-            "model.internal_energy",
-            "the work of the walls is not divided between the fluid and its continuation beyond them; use walls of \
-             particles, or container.model Penalty",
-        ),
-        (
-            model.surface_tension == SurfaceTension::Curvature,
-            "model.surface_tension Curvature",
-            "the Laplacian of the colour would miss the walls; use NormalCurvature, or container.model Penalty",
-        ),
-        (
-            model.pressure_kernel == Kernel::Viscosity,
-            "model.pressure_kernel Viscosity",
-            "it is infinite at distance 0; use another pressure_kernel, or container.model Penalty",
-        ),
-    ];
-    if let Some((_, field, why)) = refused.into_iter().find(|(is_asked, ..)| *is_asked) {
-        return Err(not_together("container.model ClosedForm", field, why));
-    }
+    closed_form(scene, "container.model ClosedForm")?;
     // beyond two parallel planes a kernel must not lie at the same time
     for axis in 0..scene.dimension.count() {
         let [low, high] = [container.low[axis], container.high[axis]];
@@ -79,6 +52,39 @@ pub(super) fn check(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
         if faces == 2 && high - low < least {
             return Err(SceneError::NarrowContainer { axis: Axis::of(axis), width: high - low, least });
         }
+    }
+    Ok(())
+}
+
+/// Rejects choices that do not go with walls in closed form; `walls` names the choice that asks for these.
+pub(super) fn closed_form(scene: &Scene, walls: &'static str) -> Result<(), SceneError> {
+    let model = &scene.model;
+    let refused = [
+        (
+            model.near_pressure != NearPressure::Off,
+            "model.near_pressure",
+            "near pressure would miss the walls; set near_pressure Off, and use shifting if particles pair, or \
+             use model Penalty",
+        ),
+        (
+            model.internal_energy,
+            "model.internal_energy",
+            "the work of the walls is not divided between the fluid and its continuation beyond them; use walls of \
+             particles, or model Penalty",
+        ),
+        (
+            model.surface_tension == SurfaceTension::Curvature,
+            "model.surface_tension Curvature",
+            "the Laplacian of the colour would miss the walls; use NormalCurvature, or model Penalty",
+        ),
+        (
+            model.pressure_kernel == Kernel::Viscosity,
+            "model.pressure_kernel Viscosity",
+            "it is infinite at distance 0; use another pressure_kernel, or model Penalty",
+        ),
+    ];
+    if let Some((_, field, why)) = refused.into_iter().find(|(is_asked, ..)| *is_asked) {
+        return Err(not_together(walls, field, why));
     }
     Ok(())
 }

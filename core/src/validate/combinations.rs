@@ -137,7 +137,7 @@ fn pressure(scene: &Scene) -> Result<(), SceneError> {
              pressure_force",
         ));
     }
-    let mirrored = !scene.walls.is_empty() && model.wall_pressure == WallPressure::Mirrored;
+    let mirrored = scene.has_wall_particles() && model.wall_pressure == WallPressure::Mirrored;
     if mirrored && model.pressure_force == PressureForce::Difference {
         return Err(not_together(
             "model.pressure_force Difference",
@@ -156,7 +156,7 @@ fn pressure(scene: &Scene) -> Result<(), SceneError> {
         ));
     }
     let renormalises = model.density_diffusion == DensityDiffusion::Renormalised;
-    if renormalises && !scene.walls.is_empty() && model.wall_pressure == WallPressure::Mirrored {
+    if renormalises && scene.has_wall_particles() && model.wall_pressure == WallPressure::Mirrored {
         return Err(not_together(
             "model.density_diffusion Renormalised",
             "model.wall_pressure Mirrored",

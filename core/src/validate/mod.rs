@@ -11,6 +11,7 @@ mod ranges;
 mod scale;
 mod shapes;
 mod shifting;
+mod solids;
 mod time;
 mod traversal;
 
@@ -21,6 +22,8 @@ pub use shapes::MOST_SPACINGS_AWAY;
 use crate::derive::Derived;
 use crate::derive::counts::Counts;
 use crate::derive::domain::cells;
+use crate::derive::frames::Frames;
+use crate::derive::initial_particles::initial_particles;
 use crate::derive::scales::Scales;
 use crate::error::SceneError;
 use crate::scene::Scene;
@@ -36,6 +39,7 @@ impl Scene {
         let scales = Scales::of(self);
         let (counts, cells) = (Counts::of(self, &scales), cells(self, &scales));
         ranges::reach(self, &scales)?;
+        solids::shapes(self)?;
         ranges::surface(self)?;
         ranges::elasticity(self)?;
         shapes::blocks(self, &counts)?;
@@ -48,6 +52,9 @@ impl Scene {
         emission::check(self, &scales)?;
         let derived = Derived::of(self, &scales, &counts, cells);
         scale::check(self, &derived)?;
+        solids::check(self, &scales, Frames::of(self, &derived.parameters, &derived.poses), || {
+            initial_particles(self, &derived).take(derived.fluid_particles)
+        })?;
         Ok(Checked::new(self, derived))
     }
 }

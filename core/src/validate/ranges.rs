@@ -40,7 +40,7 @@ pub(super) fn numbers(scene: &Scene) -> Result<(), SceneError> {
 pub(super) fn reach(scene: &Scene, scales: &Scales) -> Result<(), SceneError> {
     let sums = scene.model.normalize_mass || scene.corrects_pressure();
     let elastic = scene.fluids.iter().any(|fluid| fluid.elastic_stiffness > 0.0);
-    if (sums || elastic || !scene.walls.is_empty()) && scales.spacings(scene) > MOST_SPACINGS {
+    if (sums || elastic || scene.has_wall_particles()) && scales.spacings(scene) > MOST_SPACINGS {
         let field = if scene.smoothing_ratio.is_some() { "smoothing_ratio" } else { "average_neighbours" };
         return Err(SceneError::OutOfScale {
             field: field.into(),

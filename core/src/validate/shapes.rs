@@ -2,7 +2,7 @@
 use super::bounds::{MOST_PARTICLES, bounded, check_count, finite, known_fluid, not_negative, positive, share};
 use crate::axis::Axis;
 use crate::derive::counts::Counts;
-use crate::derive::sampling::lattice::{counts, whole};
+use crate::derive::sampling::lattice::{MOST_AROUND_SOLIDS, counts, leaves_out, whole};
 use crate::error::{Field, SceneError};
 use crate::scene::{Container, Dimension, Face, GridStructure, Scene, Wall, WallShape};
 
@@ -22,6 +22,10 @@ pub(super) fn blocks(scene: &Scene, count: &Counts) -> Result<(), SceneError> {
             distance(scene, field("blocks.corner"), b.corner[axis])?;
         }
         let counts = counts(b, scene);
+        if leaves_out(b, scene) {
+            let cells = counts.iter().fold(1.0, |all, &n| all * n as f32);
+            bounded(field("blocks.size (its cells, with around_solids)"), cells, 0.0..=MOST_AROUND_SOLIDS as f32)?;
+        }
         for (axis, (&size, count)) in b.size.as_ref().iter().zip(counts).enumerate().take(scene.dimension.count()) {
             positive(field("blocks.size"), size)?;
             if count == 0 {

@@ -21,6 +21,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), SceneError> {
             alike,
         ),
         (!scene.walls.is_empty(), "walls", alike),
+        (scene.has_wall_particles(), "solids[].model Particles", alike),
         (
             model.initialize_hydrostatic
                 && matches!(model.surface_tension, SurfaceTension::Attraction | SurfaceTension::GradientSum),

@@ -23,8 +23,8 @@ pub fn places(at: &[([f32; 3], [f32; 3])]) -> Vec<InitialParticle> {
 }
 
 /// Returns one case each for a particle out of range, a full cell and a number that is not finite.
-pub fn all() -> [Refused; 3] {
-    [beyond_the_grids_range(), more_particles_than_places(), not_finite_any_more()]
+pub fn all() -> Vec<Refused> {
+    vec![beyond_the_grids_range(), more_particles_than_places(), not_finite_any_more()]
 }
 
 fn beyond_the_grids_range() -> Refused {

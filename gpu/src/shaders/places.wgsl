@@ -2,7 +2,7 @@
 // core/src/passes/places.rs.
 fn place_of(a: u32) -> vec3<f32> { return spawn_position(new_position[a].xyz, total_colour_gradient[a].xyz); }
 
-// Returns whether no particle is near a position and the position is not behind a penalty plane.
+// Returns whether no particle is near a position and the position is not behind a penalty plane or in a solid.
 fn is_free(place: vec3<f32>) -> bool {
   if axis_out_of_range(place) < 3u { return false; }
   if m.has_container == 1u {
@@ -11,6 +11,7 @@ fn is_free(place: vec3<f32>) -> bool {
       if depth_behind(place, plane.xyz, plane.w) > 0.0f { return false; }
     }
   }
+  if m.has_solids == 1u && is_in_solid(place) { return false; }
   let own = cell_of(place);
   for (var i = 0u; i < stencil_cells(); i += 1u) {
     let c = stencil_cell(own, i);

@@ -15,7 +15,8 @@ pub(super) fn checked<'s>(study: &str, scene: &'s Scene) -> Result<Checked<'s>, 
     scene.check().map_err(refused_by(study))
 }
 
-fn refused_by(study: &str) -> impl Fn(SceneError) -> Failure {
+/// Converts the error of a scene in a study.
+pub(super) fn refused_by(study: &str) -> impl Fn(SceneError) -> Failure {
     move |error| Failure::Scene { origin: format!("check {study}"), error }
 }
 

@@ -21,6 +21,7 @@ mod bar;
 mod cases;
 mod channel;
 mod column;
+mod containment;
 mod dam_break_front;
 mod drop;
 mod elastic;
@@ -47,6 +48,7 @@ mod rayleigh_taylor;
 mod recipes;
 mod reference;
 mod ripple;
+mod solids;
 mod standing_wave;
 mod stiff_tank;
 mod still_tank;
@@ -167,6 +169,16 @@ pub const STUDIES: &[Study] = &[
         name: "emission",
         about: "what emitters make, and an exact ledger of the particles that come and go",
         run: emission::run,
+    },
+    Study {
+        name: "containment",
+        about: "shaken water stays in containers of every shape and model, and thrown water does not pass a thin plate",
+        run: containment::run,
+    },
+    Study {
+        name: "solids",
+        about: "water at rest in and around solids of every shape: weight, lift (Archimedes), pressure over depth",
+        run: solids::run,
     },
     Study { name: "hydrostatic", about: "pressure in a tank at rest, against rho0 g (H - y)", run: hydrostatic::run },
     Study {

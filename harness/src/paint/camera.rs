@@ -98,6 +98,18 @@ impl Camera {
         self.perspective.then(|| (eye, self.axes * Vec3::new(offset.x, -offset.y, -1.0)))
     }
 
+    /// Returns the point of the plane through the target that a sample shows without perspective, and the metres per
+    /// sample there.
+    pub(super) fn flat(&self, at: Vec2) -> (Vec3, f32) {
+        let offset = (at - self.centre) / self.focal;
+        (self.target + self.axes * Vec3::new(offset.x, -offset.y, 0.0), self.focal.recip())
+    }
+
+    /// Returns the smallest and the largest depth at which solids are looked for, metres.
+    pub(super) fn reach(&self) -> [f32; 2] {
+        [NEAR * self.distance, self.span[1] + 0.5 * self.distance]
+    }
+
     /// Returns how far back in the bounds `depth` lies: 0 at the nearest corner, 1 at the farthest.
     pub(super) fn recession(&self, depth: f32) -> f32 {
         let [near, far] = self.span;

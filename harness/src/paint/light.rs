@@ -9,6 +9,7 @@ use super::camera::Camera;
 use super::canvas::Canvas;
 use super::colour::{Encoder, from_srgb};
 use super::discs::{Disc, Layer, Sample};
+use super::solids::Seen;
 use super::tank::Floor;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
@@ -35,11 +36,17 @@ const AROUND: [Vec2; 8] = {
 };
 
 /// Computes the colours of the samples of `layer` and averages them into pixels.
-pub(super) fn expose(layer: &Layer, discs: &[Disc], camera: &Camera, floor: Option<&Floor>) -> Canvas {
+pub(super) fn expose(
+    layer: &Layer,
+    discs: &[Disc],
+    camera: &Camera,
+    floor: Option<&Floor>,
+    solids: Option<&[Seen]>,
+) -> Canvas {
     let side = SUPERSAMPLING as usize;
     let (width, height) = (layer.width() / side, layer.height() / side);
     let mut bytes = vec![0; width * height * 3];
-    let (encoder, studio) = (Encoder::new(), Studio::new(layer, discs, camera, floor));
+    let (encoder, studio) = (Encoder::new(), Studio { solids, ..Studio::new(layer, discs, camera, floor) });
     bytes.par_chunks_mut(width * 3).enumerate().for_each(|(y, row)| {
         for (x, pixel) in row.chunks_exact_mut(3).enumerate() {
             let samples = (0..side * side).map(|i| studio.light(x * side + i % side, y * side + i / side));
@@ -57,6 +64,8 @@ struct Studio<'a> {
     reliefs: Vec<Relief>,
     camera: &'a Camera,
     floor: Option<&'a Floor>,
+    /// What each sample shows of the solids.
+    solids: Option<&'a [Seen]>,
     sky: [Vec3; 2],
     ground: [Vec3; 2],
     edge: [Vec3; 2],
@@ -72,6 +81,7 @@ impl<'a> Studio<'a> {
             reliefs: discs.par_iter().map(|disc| Relief::new(layer, disc, camera)).collect(),
             camera,
             floor,
+            solids: None,
             sky: [0xfa_fcfd, 0xe9_eff4].map(from_srgb),
             ground: [0xdf_e6ec, 0x86_9db0].map(from_srgb),
             edge: [0x5b_6975, 0xae_bac5].map(from_srgb),
@@ -84,6 +94,10 @@ impl<'a> Studio<'a> {
     fn light(&self, x: usize, y: usize) -> Vec3 {
         let sample = self.layer.sample(x as isize, y as isize);
         let at = Vec2::new(x as f32, y as f32) + 0.5;
+        let solid = self.solids.and_then(|solids| solids.get(y * self.layer.width() + x));
+        if let Some(solid) = solid.filter(|solid| solid.depth < sample.depth) {
+            return solid.colour;
+        }
         let seen = sample.disc as usize;
         match (sample.disc, self.discs.get(seen).zip(self.reliefs.get(seen))) {
             (_, Some((disc, relief))) => self.water(disc, relief, at),

@@ -3,7 +3,7 @@
 //! Every particle is drawn as a lit sphere, in three passes without a GPU:
 //!
 //! 1. `camera` projects the particles, and `discs` finds the nearest sphere at every sample; `tank` adds the edges of
-//!    the container to the same depth buffer.
+//!    the container to the same depth buffer, and `solids` follows the lines of sight to the solids.
 //! 2. `light` computes the colour of each sample from its sphere and from the depths around it, so that the large shape
 //!    of the water is visible as well as the single particle. It averages a square of samples into a pixel.
 //! 3. `text` draws the caption and the legend on the finished [`Canvas`], which can be saved as PNG.
@@ -16,6 +16,7 @@ mod canvas;
 mod colour;
 mod discs;
 mod light;
+mod solids;
 mod tank;
 mod text;
 
@@ -24,6 +25,7 @@ pub use canvas::Canvas;
 pub use colour::{Colouring, Swatch};
 use discs::{Disc, Layer};
 use glam::Vec3;
+pub use solids::Distances;
 use tank::Floor;
 
 /// Samples along one side of a pixel.
@@ -34,7 +36,7 @@ const SUPERSAMPLING: u32 = 2;
 const MAX_SIDE: u32 = 8192;
 
 /// The contents of a picture.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Frame<'a> {
     /// Positions, xyz in metres with y up; w is ignored. Positions that are not finite are not drawn.
     pub positions: &'a [[f32; 4]],
@@ -46,6 +48,8 @@ pub struct Frame<'a> {
     pub radius: f32,
     /// Opposite corners of the container to outline, if any.
     pub container: Option<[Vec3; 2]>,
+    /// Distances from the solids of the scene, if it has any.
+    pub solids: Option<&'a Distances<'a>>,
     /// Caption in the upper left corner, such as "t = 0.50 s   speed 0 .. 4 m/s"; may have several lines.
     pub caption: &'a str,
 }
@@ -82,7 +86,8 @@ pub fn paint(frame: &Frame, view: &View, bounds: [Vec3; 2], width: u32, height: 
         tank::outline(&mut layer, &camera, corners);
     }
     let floor = container.and_then(|corners| Floor::new(&camera, corners, frame));
-    let mut canvas = light::expose(&layer, &discs, &camera, floor.as_ref());
+    let solids = frame.solids.map(|distances| solids::look(&camera, distances, wide as usize, high as usize));
+    let mut canvas = light::expose(&layer, &discs, &camera, floor.as_ref(), solids.as_deref());
     text::caption(&mut canvas, frame.caption);
     text::legend(&mut canvas, frame.colouring);
     canvas
@@ -95,7 +100,7 @@ mod tests {
     const BOUNDS: [Vec3; 2] = [Vec3::new(-1.0, 0.0, -1.0), Vec3::new(1.0, 2.0, 1.0)];
 
     fn frame<'a>(positions: &'a [[f32; 4]], colouring: &'a Colouring) -> Frame<'a> {
-        Frame { positions, colouring, walls: &[], radius: 0.2, container: None, caption: "" }
+        Frame { positions, colouring, walls: &[], radius: 0.2, container: None, solids: None, caption: "" }
     }
 
     fn numbers(of: &[f32]) -> Colouring {

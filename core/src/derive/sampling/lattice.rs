@@ -1,4 +1,5 @@
 //! The lattice on which particles start. Its spacing is the scene's particle spacing.
+use crate::derive::frames::Frames;
 use crate::scene::{Block, BlockShape, Dimension, Scene};
 
 /// Number of particles of a block along x, y, z. Each number is rounded before they are multiplied.
@@ -13,9 +14,12 @@ pub(crate) fn counts(block: &Block, scene: &Scene) -> [u64; 3] {
 const MOST_CELLS: u64 = 1 << 30;
 
 /// Number of particles of a block. It is found quickly for any scene, checked or not.
-pub(crate) fn particles(block: &Block, scene: &Scene) -> u64 {
+pub(crate) fn particles(block: &Block, scene: &Scene, frames: Frames<'_>) -> u64 {
     let counts = counts(block, scene);
     let volume = volume(counts);
+    if leaves_out(block, scene) && volume <= MOST_AROUND_SOLIDS {
+        return cells(block, scene, frames).count() as u64;
+    }
     match block.shape {
         BlockShape::Box => volume,
         BlockShape::Ball if volume > MOST_CELLS => volume,
@@ -56,10 +60,35 @@ fn belongs(block: &Block, index: [u64; 3], counts: [u64; 3]) -> bool {
     block.shape == BlockShape::Box || a + b + c <= 1.0
 }
 
+/// Largest number of cells of a block around solids.
+pub(crate) const MOST_AROUND_SOLIDS: u64 = 1 << 24;
+
+/// Returns whether a block leaves out the places in solids.
+pub(crate) fn leaves_out(block: &Block, scene: &Scene) -> bool {
+    block.around_solids && !scene.solids.is_empty()
+}
+
 /// Indices of the cells of a block, the first index fastest.
-pub(crate) fn cells<'a>(block: &'a Block, scene: &Scene) -> impl Iterator<Item = [u64; 3]> + use<'a> {
+pub(crate) fn cells<'a>(
+    block: &'a Block,
+    scene: &Scene,
+    frames: Frames<'a>,
+) -> impl Iterator<Item = [u64; 3]> + use<'a> {
     let counts = counts(block, scene);
-    indices(counts).filter(move |index| belongs(block, *index, counts))
+    let spacing = f64::from(scene.particle_spacing);
+    let d = scene.dimension.count();
+    let leaves_out = leaves_out(block, scene);
+    let is_free = move |index: &[u64; 3]| {
+        let centre = || centre(block, *index, spacing, d).map(|x| x as f32);
+        !leaves_out || frames.nearest(centre().into()) >= 0.499 * spacing as f32
+    };
+    indices(counts).filter(move |index| belongs(block, *index, counts) && is_free(index))
+}
+
+/// Centre of a cell of a block, m; 0 along the axes that the scene does not have.
+pub(crate) fn centre(block: &Block, index: [u64; 3], spacing: f64, d: usize) -> [f64; 3] {
+    let along = |axis: usize| f64::from(block.corner[axis]) + (index[axis] as f64 + 0.5) * spacing;
+    [0, 1, 2].map(|axis| if axis < d { along(axis) } else { 0.0 })
 }
 
 /// A length as a whole number of spacings.

@@ -5,7 +5,6 @@
 //! particle, by id, that was inactive before this step. A particle that leaves in this step can be used from the next
 //! step on, when the data of its past is gone from the other passes too. The pass is serial, and visits each id once.
 use super::leave::{FIRST_REQUEST, LEAVES};
-use crate::flux::Flux;
 use crate::passes::context::Step;
 use crate::passes::f_advance::emit::BLOCKED;
 use crate::passes::lanes::is_inactive;
@@ -24,7 +23,7 @@ pub(crate) fn run(step: &mut Step<'_, '_>) {
     let points = (0..).zip(emission.chunks_exact(2)).filter(|(_, rows)| rows[0][3] > 0.0);
     // the slots of particles, then the points
     let mut requests = air.chain(points.map(|(point, _)| p.particle_count + point));
-    let mut flux = Flux::default();
+    let mut flux = step.found.flux;
     for id in (p.first_spare as usize).min(slots)..slots {
         let slot = new.slot_of_id[id] as usize;
         if !is_inactive(step.setup.materials, new.velocity[slot][3]) {

@@ -46,6 +46,7 @@ fn shorten() {
   atomicStore(&head.status.blocked, 0u);
   atomicStore(&head.status.born, 0u);
   atomicStore(&head.status.removed, 0u);
+  atomicStore(&head.status.hits, 0u);
   atomicStore(&head.status.pressure_converged, 0u);
   atomicStore(&head.status.max_speed_squared, 0u);
   atomicStore(&head.status.max_acceleration_squared, 0u);
@@ -76,6 +77,7 @@ fn pass_body(thread: u32) {
   let blocked = atomicExchange(&head.status.blocked, 0u);
   let born = atomicExchange(&head.status.born, 0u);
   let removed = atomicExchange(&head.status.removed, 0u);
+  let hits = atomicExchange(&head.status.hits, 0u);
   atomicStore(&head.status.pressure_converged, 0u);
   if !counts() {
     if atomicLoad(&head.status.undone) < MOST_ATTEMPTS {
@@ -96,5 +98,6 @@ fn pass_body(thread: u32) {
   atomicAdd(&head.status.total_blocked, min(blocked, NONE - atomicLoad(&head.status.total_blocked)));
   atomicAdd(&head.status.total_born, min(born, NONE - atomicLoad(&head.status.total_born)));
   atomicAdd(&head.status.total_removed, min(removed, NONE - atomicLoad(&head.status.total_removed)));
+  atomicAdd(&head.status.total_hits, min(hits, NONE - atomicLoad(&head.status.total_hits)));
   atomicStore(&head.status.air_alive, atomicLoad(&head.status.alive));
 }

@@ -1,11 +1,11 @@
 //! The choices of a scene and their options.
-use super::scenes::{closed, falls, fed, pulled, second_fluid, walls};
+use super::scenes::{closed, falls, fed, pulled, second_fluid, solids, walls};
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     AccelerationField, AdaptiveTimeStep, Adjustable, Air, Correction, DensityDiffusion, DensityForm, Elasticity,
     EquationOfState, Evaluation, Face, GridStructure, Integrator, Iteration, Kernel, NearPressure, Periodic,
-    Plasticity, PressureForce, PressureSolver, Recovery, Reflection, Scene, Shifting, SupportRange, SurfaceTension,
-    Viscosity, WallPressure, Wind,
+    Plasticity, PressureForce, PressureSolver, Recovery, Reflection, Scene, Shifting, SolidModel, SupportRange,
+    SurfaceTension, Viscosity, WallPressure, Wind,
 };
 use std::fmt::Debug;
 
@@ -126,6 +126,15 @@ fn surroundings() -> Vec<Choice> {
                 ("elastic", |s| springs(s, None, None)),
                 ("plastic", |s| springs(s, Some(Plasticity { rate: 20.0, yield_strain: 0.01 }), None)),
                 ("brittle", |s| springs(s, None, Some(0.02))),
+            ],
+        ),
+        named(
+            "solids",
+            [
+                ("none", |_| {}),
+                ("Penalty", |s| solids(s, SolidModel::Penalty)),
+                ("ClosedForm", |s| solids(s, SolidModel::ClosedForm)),
+                ("Particles", |s| solids(s, SolidModel::Particles)),
             ],
         ),
         whether("wind", |s| s.wind = Some(Wind { velocity: Vec3::new(3.0, 1.0, 0.0), drag: 4.0 })),

@@ -1,9 +1,10 @@
 //! The scene against which choices are made, and features that several choices need to have an effect.
-use millpond_core::glam::Vec3;
+use millpond_core::glam::{Vec2, Vec3};
 use millpond_core::scene::{
-    Block, Container, Dimension, Drain, Emitter, Face, Fluid, Formulation, Grid, NearPressure, Opening, PlaneModel,
-    Recipe, Scene, Sliding, SurfaceTension, Wall, WallShape,
+    Block, Container, Course, Dimension, Drain, Emitter, Face, Fluid, Formulation, Grid, Motion, NearPressure, Opening,
+    PlaneModel, Recipe, Scene, Shape, Sliding, Solid, SolidModel, SurfaceTension, Wall, WallShape,
 };
+
 /// Returns a scene in which every choice has an effect: two blocks that collide above a floor, with gravity.
 pub fn base(dimension: Dimension) -> Scene {
     let fluid = Fluid { dynamic_viscosity: 2.0, ..Fluid::default() };
@@ -72,4 +73,49 @@ pub fn walls(s: &mut Scene) {
     let shape = WallShape::Box { low: low.into(), high: high.into(), open: [Face::Ceiling].into_iter().collect() };
     let velocity = Vec3::new(0.5, 0.0, 0.0);
     s.walls = [Wall { velocity, dynamic_viscosity: Some(1.0), ..Wall::still(shape) }].into_iter().collect();
+}
+
+/// Adds a solid of each shape around the blocks, within their reach: a ball, a capsule that comes down, a tilted box,
+/// a cylinder (in 2D a polygon) that turns, all in a hollow box that rocks.
+pub fn solids(s: &mut Scene, model: SolidModel) {
+    let is_flat = s.dimension == Dimension::Two;
+    let z = if is_flat { 0.0 } else { 0.2 };
+    if model == SolidModel::ClosedForm {
+        s.model.near_pressure = NearPressure::Off;
+    }
+    let corners = [(-0.12, -0.1), (0.12, -0.12), (0.0, 0.12)].map(Vec2::from).into_iter().collect();
+    let other = if is_flat { Shape::Polygon { corners } } else { Shape::Cylinder { radius: 0.13, height: 0.2 } };
+    let course = |course| Motion::Prescribed(course);
+    let viscosity = (model != SolidModel::Penalty).then_some(1.5);
+    let ball = Solid::still(Shape::Ball { radius: 0.14 }, [0.8, 0.25, z]);
+    let capsule = Solid {
+        turned: Vec3::new(0.0, 0.0, 80.0),
+        motion: course(Course { velocity: Vec3::new(0.0, -8.0, 0.0), ..Course::default() }),
+        ..Solid::still(Shape::Capsule { radius: 0.13, length: 0.1 }, [0.45, 0.66, z])
+    };
+    let below = Solid {
+        turned: Vec3::new(0.0, 0.0, 20.0),
+        ..Solid::still(Shape::Box { size: Vec3::new(0.3, 0.2, 0.3) }, [0.4, -0.16, z])
+    };
+    let turning = Solid {
+        motion: course(Course { axis: Vec3::Z, turns_per_second: -3.0, ..Course::default() }),
+        ..Solid::still(other, [0.82, 0.6, z])
+    };
+    let swing = Course {
+        amplitude: Vec3::new(0.02, 0.01, 0.0),
+        frequency: 20.0,
+        phase: 0.25,
+        axis: Vec3::Z,
+        rocking_degrees: 2.0,
+        ..Course::default()
+    };
+    let around = Solid {
+        motion: course(swing),
+        ..Solid::still(Shape::Box { size: Vec3::new(1.14, 1.3, 0.9) }, [0.4, 0.4, z]).hollow()
+    };
+    let all = [ball, capsule, below, turning, around];
+    s.solids = all
+        .into_iter()
+        .map(|solid| Solid { model, dynamic_viscosity: viscosity, restitution: 0.3, slip: 0.6, ..solid })
+        .collect();
 }
