@@ -66,6 +66,7 @@ fn head(model: &Model, intrinsics: Intrinsics) -> String {
     out += &format!("alias DrainRows = array<f32x4, {DRAIN_ROWS}>;\nalias SolidRows = array<f32x4, {SOLID_ROWS}>;\n");
     out += &format!("const SOLID_STRIDE: u32 = {SOLID_STRIDE}u;\nconst POSE_STRIDE: u32 = {POSE_STRIDE}u;\n");
     out += &format!("const CLOSED_FORM: f32 = {:?}f;\n", SolidModel::ClosedForm as u32 as f32);
+    out += &format!("const REPELS: f32 = {:?}f;\n", SolidModel::Repulsion as u32 as f32);
     out += &format!("alias MaterialRows = array<f32x4, {MATERIALS}>;\n");
     out +=
         &format!("const QUANTITIES_OF_ID: u32 = {QUANTITIES_OF_ID}u;\nconst MOST_ATTEMPTS: u32 = {MOST_ATTEMPTS}u;\n");

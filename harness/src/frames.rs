@@ -251,6 +251,11 @@ fn bounds(scene: &Scene, state: &Snapshot) -> [Vec3; 2] {
     let solids = scene.solids.iter().filter(|s| reach(s).is_finite());
     let solids = solids.map(|s| (flat(s.position - reach(s)), flat(s.position + reach(s))));
     let walls = walls.chain(solids);
+    let emitters = scene.emitters.iter().map(|e| {
+        let reach = 0.75 * e.opening.width();
+        (flat(e.position - reach), flat(e.position + reach))
+    });
+    let walls = walls.chain(emitters);
     let room = [(low - margin, high + margin)];
     let (low, high) = joined(&mut room.into_iter().chain(walls)).unwrap_or(room[0]);
     [low, high]

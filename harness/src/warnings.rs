@@ -6,7 +6,9 @@ use millpond_core::backend::derive::kernel_constants::slope;
 use millpond_core::backend::derive::{FluidConstants, average_neighbours, support_radius};
 use millpond_core::backend::report::Courant;
 use millpond_core::backend::validate::MOST_SPACINGS_AWAY;
-use millpond_core::scene::{DensityForm, Dimension, Fluid, Kernel, NearPressure, PlaneModel, Scene, SurfaceTension};
+use millpond_core::scene::{
+    DensityForm, Dimension, Fluid, Kernel, Motion, NearPressure, PlaneModel, Scene, SurfaceTension,
+};
 use std::f64::consts::PI;
 
 /// Largest sum of the Courant numbers of sound and of the fastest particle, on the support radius. Above it explicit
@@ -69,11 +71,12 @@ pub fn warnings(scene: &Checked<'_>, state: &StateSummary, births_refused: u64) 
 }
 
 /// Returns a warning if the energy of an undriven fluid grew between two states. Returns `None` for scenes with
-/// springs, surface tension, air or an acceleration field, whose energy is not fully accounted for.
+/// springs, surface tension, air, an acceleration field or solids that move, whose energy is not fully accounted for.
 #[must_use]
 pub fn gained(scene: &Scene, first: &StateSummary, last: &StateSummary) -> Option<String> {
     let stores = |fluid: &Fluid| fluid.elastic_stiffness > 0.0 || fluid.surface_tension > 0.0;
-    let fields = scene.acceleration_field.is_some() || scene.air.is_some();
+    let moves = scene.solids.iter().any(|solid| solid.motion != Motion::Still);
+    let fields = scene.acceleration_field.is_some() || scene.air.is_some() || moves;
     if fields || scene.fluids.iter().any(stores) || driven_by(scene).is_some() {
         return None;
     }

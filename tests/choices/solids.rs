@@ -7,7 +7,8 @@ use millpond_core::scene::{
     PressureForce, Recovery, Scene, Shape, Shifting, Solid, SolidModel, WallPressure,
 };
 
-const MODELS: [SolidModel; 3] = [SolidModel::Penalty, SolidModel::ClosedForm, SolidModel::Particles];
+const MODELS: [SolidModel; 4] =
+    [SolidModel::Penalty, SolidModel::ClosedForm, SolidModel::Particles, SolidModel::Repulsion];
 
 pub fn solid_choices(add: Add<'_>) {
     for model in MODELS {

@@ -3,7 +3,7 @@ use super::materials::VISCOSITY_OF_PARTICLE;
 use crate::layout::{Model, POSE_STRIDE, Parameters, SOLID_ROWS, SOLID_STRIDE, SolidRows, f32x4};
 use crate::scene::{Course, Dimension, Motion, SOLIDS, Scene, Shape, Solid};
 use crate::solids::motion::{DRIVEN, ON_COURSE, on_course};
-use crate::terms::shape::{BALL, BOX, CAPSULE, CYLINDER, PLANE, POLYGON};
+use crate::terms::shape::{BALL, BOX, CAPSULE, CYLINDER, FACET, PLANE, POLYGON};
 use glam::{DQuat, Quat, Vec2, Vec3};
 
 const _: () = assert!(SOLID_ROWS == SOLID_STRIDE * SOLIDS, "rows for each solid");
@@ -40,6 +40,7 @@ fn kind(shape: &Shape) -> (u32, Vec3) {
         Shape::Box { size } => (BOX, *size * 0.5),
         Shape::Cylinder { radius, height } => (CYLINDER, Vec3::new(*radius, *height * 0.5, 0.0)),
         Shape::Capsule { radius, length } => (CAPSULE, Vec3::new(*radius, *length * 0.5, 0.0)),
+        Shape::Facet { length, near, far } => (FACET, Vec3::new(*near, *far, *length) * 0.5),
         Shape::Polygon { .. } => (POLYGON, Vec3::ZERO),
     }
 }
@@ -72,7 +73,7 @@ pub(crate) fn rows(scene: &Scene) -> SolidRows {
         let axis = if scene.dimension == Dimension::Two { Vec3::Z } else { course.axis.normalize_or_zero() };
         rows[0] = [kind as f32, side, solid.model as u32 as f32, motion];
         rows[1] = size.extend(0.0).to_array();
-        rows[2] = [solid.restitution, solid.slip, viscosity, 0.0];
+        rows[2] = [solid.restitution, solid.slip, viscosity, solid.repulsion];
         rows[3] = solid.position.extend(course.frequency).to_array();
         rows[4] = rotation(solid).to_array();
         rows[5] = course.velocity.extend(course.phase).to_array();
@@ -111,6 +112,8 @@ pub fn reach(solid: &Solid, dimension: Dimension) -> f32 {
         Shape::Box { size } => size.length() * 0.5,
         Shape::Cylinder { radius, height } => Vec2::new(*radius, *height * 0.5).length(),
         Shape::Capsule { radius, length } => radius + length * 0.5,
+        Shape::Facet { near, .. } if dimension == Dimension::Two => near * 0.5,
+        Shape::Facet { length, near, far } => Vec2::new(near.max(*far), *length).length() * 0.5,
         Shape::Polygon { corners } => corners.iter().map(|corner| corner.length()).fold(0.0, f32::max),
     }
 }

@@ -51,6 +51,8 @@ shared! {
         pub has_closed_walls: u32,
         /// 1: there are solids.
         pub has_solids: u32,
+        /// 1: there is a solid that repels.
+        pub has_repulsion: u32,
         /// 1: there is a solid with particles that moves.
         pub has_carried: u32,
         /// [`terms::wall`](crate::terms::wall): wall particles; 0: none.

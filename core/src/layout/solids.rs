@@ -7,7 +7,8 @@ use super::f32x4;
 ///    fluid feels it ([`SolidModel`](crate::scene::SolidModel)), and how it moves (0: not, 1: on its course, 2: as the
 ///    host says);
 /// 1. size of the shape, m; w unused;
-/// 2. restitution, slip, dynamic viscosity in Pa s (negative for that of the particle); w unused;
+/// 2. restitution, slip, dynamic viscosity in Pa s (negative for that of the particle), strength of the repulsion in
+///    m2/s2;
 /// 3. position at the start, m; w: frequency, 1/s;
 /// 4. rotation at the start, a quaternion (x, y, z, w);
 /// 5. velocity, m/s; w: phase at the start, in periods;

@@ -1,12 +1,13 @@
 //! Solids as walls in closed form: what of a kernel lies in them. A solid stands for the plane that touches it at the
 //! point nearest to the particle, bent by its curvature. A box stands for its sides: the part of the kernel that lies in
-//! it is the product of the parts between each pair of sides, which is exact for a Gaussian.
+//! it is the product of the parts between each pair of sides, which is exact for a Gaussian. A cylinder stands for its
+//! ends and its round side in the same way.
 use super::beyond::{Face, Front, NOTHING, with_face};
 use super::context::Setup;
 use crate::arithmetic::real::{div, less, vec3};
 use crate::solids::{Solid, Surface, solids};
-use crate::terms::beyond::{Beyond, curved_share, part_between, part_in_front_of_curved};
-use crate::terms::shape::BOX;
+use crate::terms::beyond::{Beyond, curved_share, part_between, part_in_front_of_curved, part_within};
+use crate::terms::shape::{BOX, CYLINDER, beyond_cylinder, direction_or};
 
 /// A solid that is near enough to matter.
 struct Near<'a> {
@@ -50,11 +51,32 @@ impl Near<'_> {
         div(self.solid.curvature(self.local) * 0.5, self.inverse)
     }
 
+    /// Returns how far a particle lies within the round side of a cylinder, over its support radius, and half of the
+    /// curvature of that side.
+    fn round_side(&self) -> [f32; 2] {
+        let size = self.solid.size();
+        let beyond = beyond_cylinder(size, self.local);
+        [-beyond.x * self.inverse, div(0.5, size.x * self.inverse)]
+    }
+
+    /// Returns the parts of the kernel between the ends of a cylinder, and within its side.
+    fn in_cylinder(&self, setup: &Setup<'_>, [gamma, _, bending]: [u32; 3]) -> [f32; 2] {
+        let [within, bend] = self.round_side();
+        let ends = part_between(setup.tables, gamma, self.solid.size().y * self.inverse, self.local.y * self.inverse);
+        [ends, part_within(setup.tables, gamma, bending, within, bend)]
+    }
+
     /// Returns the part of the kernel in front of the solid.
-    fn part_in_front(&self, setup: &Setup<'_>, [gamma, _, bending]: [u32; 3]) -> f32 {
-        if self.solid.kind() == BOX {
-            let [x, y, z] = self.between(setup, gamma);
-            let inside = x * y * z;
+    fn part_in_front(&self, setup: &Setup<'_>, tables: [u32; 3]) -> f32 {
+        let [gamma, _, bending] = tables;
+        if self.solid.kind() == BOX || self.solid.kind() == CYLINDER {
+            let inside = if self.solid.kind() == BOX {
+                let [x, y, z] = self.between(setup, gamma);
+                x * y * z
+            } else {
+                let [ends, within] = self.in_cylinder(setup, tables);
+                ends * within
+            };
             return if self.solid.side() < 0.0 { inside } else { 1.0 - inside };
         }
         part_in_front_of_curved(setup.tables, gamma, bending, self.surface.distance * self.inverse, self.bend())
@@ -77,6 +99,9 @@ impl Near<'_> {
             velocity,
             viscosity: self.solid.viscosity(),
         };
+        if self.solid.kind() == CYLINDER {
+            return self.cylinder(setup, front, tables, sum, others, &face);
+        }
         if self.solid.kind() != BOX {
             let face = face(self.surface.normal, self.surface.distance);
             return with_face(setup, front, tables, sum, face, others * curved_share(face.ratio, self.bend()));
@@ -94,6 +119,30 @@ impl Near<'_> {
             }
         }
         sum
+    }
+}
+
+impl Near<'_> {
+    /// Adds the ends and the side of a cylinder.
+    fn cylinder(
+        &self,
+        setup: &Setup<'_>,
+        front: Front<f32>,
+        tables: [u32; 3],
+        sum: Beyond<f32>,
+        others: f32,
+        face: &dyn Fn(vec3<f32>, f32) -> Face,
+    ) -> Beyond<f32> {
+        let ([ends, within], side, size) = (self.in_cylinder(setup, tables), self.solid.side(), self.solid.size());
+        let [inward, bend] = self.round_side();
+        let up = vec3(0.0, side, 0.0);
+        let mut sum = sum;
+        for (normal, height) in [(up, (self.local.y - size.y) * side), (up * -1.0, (-self.local.y - size.y) * side)] {
+            sum = with_face(setup, front, tables, sum, face(normal, height), others * within);
+        }
+        let normal = direction_or(vec3(self.local.x, 0.0, self.local.z), vec3(1.0, 0.0, 0.0)) * side;
+        let height = beyond_cylinder(size, self.local).x * side;
+        with_face(setup, front, tables, sum, face(normal, height), others * ends * curved_share(-inward, bend))
     }
 }
 

@@ -72,6 +72,7 @@ impl Plan {
                 add(choice.surface_tension.terms(), m.tension != 0 && !m.has_curvature());
                 add(&["wall_push"], m.has_closed_walls == 1 && !corrects);
                 add(&["wall_rub"], m.has_closed_walls == 1 && has_friction(m));
+                add(&["repulsion"], m.has_repulsion == 1);
                 add(&["exchange_neighbour"], m.has_velocity_exchange == 1);
                 add(&["weight"], m.has_gravity == 1);
                 add(&["buoyancy"], m.has_buoyancy == 1);

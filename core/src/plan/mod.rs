@@ -16,7 +16,7 @@ pub use explain::{LeftOut, Terms};
 use crate::layout::Model;
 use crate::scene::{
     Adjustable, DensityForm, Dimension, Evaluation, Fluid, Formulation, GridStructure, NearPressure, Reflection,
-    Shifting, Solid, SurfaceTension, Traversal, Viscosity,
+    Shifting, Solid, SolidModel, SurfaceTension, Traversal, Viscosity,
 };
 use crate::terms::{diffusion, near, shifting, tension, viscosity, wall};
 use crate::validate::Checked;
@@ -144,6 +144,7 @@ impl Plan {
                     as u32,
                 has_closed_walls: u32::from(scene.has_closed_walls()),
                 has_solids: u32::from(!scene.solids.is_empty()),
+                has_repulsion: u32::from(scene.solids.iter().any(|solid| solid.model == SolidModel::Repulsion)),
                 has_carried: u32::from(scene.solids.iter().any(Solid::carries)),
                 wall_particles: choice.wall_pressure as u32,
                 is_periodic: u32::from(scene.periodic_axes().next().is_some()),

@@ -48,6 +48,10 @@ pub struct Solid {
     /// particle, which means no slip; 0 means free slip). Not with [`SolidModel::Penalty`].
     #[cfg_attr(feature = "serde", serde(default))]
     pub dynamic_viscosity: Option<f32>,
+    /// Strength of the repulsion, m2/s2, 0 or more (default 1). Only with [`SolidModel::Repulsion`]. A column of water of
+    /// the height h is held up by about g h.
+    #[cfg_attr(feature = "serde", serde(default = "usual_repulsion"))]
+    pub repulsion: f32,
     /// Index of the fluid whose density the particles of the solid have (default 0). Only with
     /// [`SolidModel::Particles`].
     #[cfg_attr(feature = "serde", serde(default))]
@@ -56,6 +60,11 @@ pub struct Solid {
 
 #[cfg(feature = "serde")]
 fn free_slip() -> f32 {
+    1.0
+}
+
+#[cfg(feature = "serde")]
+fn usual_repulsion() -> f32 {
     1.0
 }
 
@@ -74,6 +83,7 @@ impl Solid {
             restitution: 0.0,
             slip: 1.0,
             dynamic_viscosity: None,
+            repulsion: 1.0,
             fluid: 0,
         }
     }
@@ -120,6 +130,17 @@ pub enum Shape {
         /// Length of the line, m.
         length: f32,
     },
+    /// A flat sheet without thickness that stops what comes from above, and lets pass what comes from below: an open
+    /// polygon with one side (Bryan 1995). It is a trapezoid in the plane of x and z, and in 2D a line along x. Several of
+    /// them form a funnel. Only with [`SolidModel::Penalty`] and [`SolidModel::Repulsion`].
+    Facet {
+        /// Length along z, m; ignored in 2D.
+        length: f32,
+        /// Width along x at the lower end of z, m; in 2D its width.
+        near: f32,
+        /// Width along x at the upper end of z, m; ignored in 2D.
+        far: f32,
+    },
     /// A polygon in the plane of x and y, whose sides do not cross (2D only). All polygons of a scene have at most 64
     /// sides.
     Polygon {
@@ -144,6 +165,9 @@ pub enum SolidModel {
     /// As particles inside of the surface, whose pressure is chosen by
     /// [`Formulation::wall_pressure`](super::Formulation::wall_pressure).
     Particles = 2,
+    /// It repels what comes near, the more the nearer, with the acceleration `repulsion (1 / d - 1 / H)` at the distance
+    /// d, where H is the support radius (Bryan 1995). What comes inside all the same is treated as with `Penalty`.
+    Repulsion = 3,
 }
 
 /// How a solid moves.

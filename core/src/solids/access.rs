@@ -7,6 +7,7 @@ use crate::solids::motion::DRIVEN;
 use crate::solver::Solver;
 use crate::terms::geometry::flush3;
 use crate::terms::integrate::wrap;
+use crate::terms::shape::FACET;
 use glam::{Quat, Vec3};
 
 /// Where a solid is, and how fast it moves.
@@ -106,5 +107,6 @@ impl Solver<'_> {
 #[must_use]
 pub fn distance_from(m: &Model, p: &Parameters, poses: &[f32x4], solid: usize, position: Vec3) -> Option<f32> {
     let solid = solids(m, p, poses).nth(solid)?;
-    Some(solid.distance(solid.local_of(vec3(position.x, position.y, position.z))))
+    let local = solid.local_of(vec3(position.x, position.y, position.z));
+    Some(if solid.kind() == FACET { solid.distance_from_facet(local) } else { solid.distance(local) })
 }

@@ -3,13 +3,16 @@
 pub(crate) mod access;
 pub(crate) mod motion;
 
-use crate::arithmetic::real::{less, root, vec3};
+use crate::arithmetic::real::{larger, less, root, vec3};
 use crate::layout::{Model, POSE_STRIDE, Parameters, SOLID_STRIDE, f32x4};
 use crate::scene::SolidModel;
 use crate::terms::geometry::{dot3, length2};
 use crate::terms::motion::{rotated, rotated_back, velocity_at};
 use crate::terms::pair::separation;
-use crate::terms::shape::{POLYGON, direction_or, from_side, shape_curvature, shape_distance, shape_normal, winding};
+use crate::terms::shape::{
+    FACET, POLYGON, direction_or, facet_crossing, from_side, is_over_facet, repulsion, shape_curvature, shape_distance,
+    shape_normal, winding,
+};
 
 /// A solid at one time.
 #[derive(Clone, Copy)]
@@ -116,8 +119,12 @@ impl Solid<'_> {
         velocity_at(vec3::splat(self.pose[2]), vec3::splat(self.pose[3]), self.turned(local))
     }
 
-    /// Returns the distance of a point of its frame from the surface, m; negative inside of the solid.
+    /// Returns the distance of a point of its frame from the surface, m; negative inside of the solid. Nothing is inside
+    /// of a facet.
     pub(crate) fn distance(&self, local: vec3<f32>) -> f32 {
+        if self.kind() == FACET {
+            return f32::MAX;
+        }
         if self.kind() == POLYGON {
             return self.polygon(local).distance;
         }
@@ -133,9 +140,45 @@ impl Solid<'_> {
         Surface { distance: self.distance(local), normal }
     }
 
+    /// Returns the acceleration with which it repels a particle, m/s2.
+    pub(crate) fn repulsion(&self, position: vec3<f32>) -> vec3<f32> {
+        let local = self.local_of(position);
+        let strength = self.rows[2][3];
+        if self.kind() == FACET {
+            let over = is_over_facet(self.m, self.size(), local);
+            let above = if less(local.y, 0.0) { 0.0 } else { over };
+            return self.turned(vec3(0.0, repulsion(self.p, strength, local.y) * above, 0.0));
+        }
+        let Surface { distance, normal } = self.surface(local);
+        self.turned(normal * repulsion(self.p, strength, distance))
+    }
+
+    /// Returns whether it repels.
+    pub(crate) fn repels(&self) -> bool {
+        self.rows[0][2] == SolidModel::Repulsion as u32 as f32
+    }
+
     /// Returns the sum of the principal curvatures of the surface, 1/m; negative where it surrounds the fluid.
     pub(crate) fn curvature(&self, local: vec3<f32>) -> f32 {
         shape_curvature(self.p, self.kind(), self.size(), local) * self.side()
+    }
+
+    /// Returns where the path from `start` along `way` comes through a facet from above: the share of the path, more than
+    /// 1 if it does not.
+    pub(crate) fn crossing(&self, touch: f32, start: vec3<f32>, way: vec3<f32>) -> f32 {
+        facet_crossing(self.m, self.size(), touch, start, way)
+    }
+
+    /// Returns a distance from a facet that is exact beside its ends and, where it is a trapezoid, at most the true one.
+    pub(crate) fn distance_from_facet(&self, local: vec3<f32>) -> f32 {
+        let vec3 { x: near, y: far, z: length } = self.size();
+        let share = (local.z / length).clamp(-1.0, 1.0) * 0.5 + 0.5;
+        let (slope, half) =
+            if self.m.is_3d == 1 { (0.5 * (far - near) / length, near + (far - near) * share) } else { (0.0, near) };
+        let lean = root(1.0 + slope * slope);
+        let beside = larger(local.x.abs() - half, 0.0) / lean;
+        let beyond = if self.m.is_3d == 1 { larger(local.z.abs() - length, 0.0) } else { 0.0 };
+        root(length2(vec3(beside, local.y, beyond)))
     }
 
     fn polygon(&self, local: vec3<f32>) -> Surface {

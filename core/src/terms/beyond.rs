@@ -101,6 +101,13 @@ pub fn part_below<R: Real>(t: &Tables, gamma: u32, ratio: R) -> R {
     return select(one - beyond, beyond, less(ratio, real(0.0)));
 }
 
+/// Returns the part of the kernel within a round side at the distance `ratio`, which is negative outside of it; `bend` is
+/// half of its curvature times the support radius.
+#[inline(always)]
+pub fn part_within<R: Real>(t: &Tables, gamma: u32, bending: u32, ratio: R, bend: R) -> R {
+    return part_below(t, gamma, ratio) - interpolated_smoothly(t, bending, abs(ratio)) * bend;
+}
+
 /// Returns the part of the kernel between two planes at the distances `half` from their middle; `at` is the place of
 /// the particle.
 #[inline(always)]
@@ -209,4 +216,12 @@ pub fn completed<R: Real>(sum: R, gamma: R) -> R {
 pub fn completed3<R: Real>(sum: vec3<R>, gamma: R) -> vec3<R> {
     let one: R = real(1.0);
     return sum * div(one, one - gamma);
+}
+
+/// Returns a sum over neighbours that is completed at most to twice its value, as beside a plane: the diffusion of density,
+/// which would be unstable where a few particles lie close together in a corner.
+#[inline(always)]
+pub fn completed_twice_at_most<R: Real>(sum: R, gamma: R) -> R {
+    let one: R = real(1.0);
+    return div(sum, larger(one - gamma, real(0.5)));
 }

@@ -3,7 +3,7 @@
 //! which is what a search for the first point of a path inside of a shape relies on (Hart 1996).
 //!
 //! `size` is the radius (ball); half of the edges (box); radius and half of the height (cylinder); radius and half of
-//! the length (capsule).
+//! the length (capsule); half of the widths at the two ends and half of the length (facet).
 use super::geometry::*;
 use crate::arithmetic::real::*;
 use crate::layout::{Model, Parameters};
@@ -20,6 +20,8 @@ pub const CYLINDER: u32 = 3;
 pub const CAPSULE: u32 = 4;
 /// A polygon in the plane.
 pub const POLYGON: u32 = 5;
+/// A flat sheet with one side.
+pub const FACET: u32 = 6;
 
 /// Returns -1 for a negative number, else 1.
 #[inline(always)]
@@ -147,6 +149,46 @@ pub fn shape_curvature<R: Real>(p: &Parameters, kind: u32, size: vec3<R>, x: vec
         return div(select(directions - 1.0, directions, less(size.y, abs(x.y))), size.x);
     }
     return nothing;
+}
+
+/// Returns 1 for a point above or below a facet, and 0 for one beside it.
+#[inline(always)]
+pub fn is_over_facet<R: Real>(m: &Model, size: vec3<R>, x: vec3<R>) -> R {
+    let nothing: R = real(0.0);
+    let one: R = real(1.0);
+    if m.is_3d == 0 {
+        return select(one, nothing, less(size.x, abs(x.x)));
+    }
+    let share = div(x.z, size.z) * 0.5 + 0.5;
+    let half_width = size.x + (size.y - size.x) * share;
+    let across = select(one, nothing, less(half_width, abs(x.x)));
+    return select(across, nothing, less(size.z, abs(x.z)));
+}
+
+/// Returns the share of a path at which it comes through a facet from above, or 2 if it does not. `touch` is how far
+/// below the facet the path may begin.
+#[inline(always)]
+pub fn facet_crossing<R: Real>(m: &Model, size: vec3<R>, touch: R, start: vec3<R>, way: vec3<R>) -> R {
+    let never: R = real(2.0);
+    let nothing: R = real(0.0);
+    let falls = less(way.y, nothing);
+    let safe = select(real(-1.0), way.y, falls);
+    let share = larger(div(-start.y, safe), nothing);
+    let crosses = select(never, share, falls);
+    let begins_above = select(never, crosses, less(-touch, start.y));
+    let over = is_over_facet(m, size, start + way * share);
+    let at = select(begins_above, never, less(over, real(0.5)));
+    return select(at, never, less(real(1.0), at));
+}
+
+/// Returns the acceleration with which a solid repels what is at a distance from it, m/s2 (Bryan 1995). Nearer than
+/// a thousandth of the support radius it grows no more.
+#[inline(always)]
+pub fn repulsion<R: Real>(p: &Parameters, strength: R, distance: R) -> R {
+    let one: R = real(1.0);
+    let support: R = real(p.support);
+    let near = larger(distance, support * 0.001);
+    return larger(div(one, near) - p.inverse_support, real(0.0)) * strength;
 }
 
 /// Returns the vector from the nearest point of a side of a polygon; the side begins at `start` and leads along `side`.

@@ -41,11 +41,20 @@ fn numbers(scene: &Scene, number: usize, solid: &Solid) -> Result<(), SceneError
     if scene.dimension == Dimension::Two && (solid.position.z != 0.0 || own.x.abs() > 1e-6 || own.y.abs() > 1e-6) {
         return Err(SceneError::OutOfPlane);
     }
-    if solid.model == SolidModel::Penalty && solid.dynamic_viscosity.is_some() {
+    let has_friction = matches!(solid.model, SolidModel::ClosedForm | SolidModel::Particles);
+    if !has_friction && solid.dynamic_viscosity.is_some() {
         return Err(not_together(
             field("solids.dynamic_viscosity"),
-            "its model Penalty",
-            "penalty has no friction but slip; use ClosedForm or Particles",
+            "its model Penalty or Repulsion",
+            "these have no friction but slip; use ClosedForm or Particles",
+        ));
+    }
+    not_negative(field("solids.repulsion"), solid.repulsion)?;
+    if solid.model != SolidModel::Repulsion && solid.repulsion != 1.0 {
+        return Err(not_together(
+            field("solids.repulsion"),
+            "a model other than Repulsion",
+            "nothing uses it; omit it, or use model Repulsion",
         ));
     }
     if solid.model != SolidModel::Particles && solid.fluid != 0 {
@@ -80,6 +89,13 @@ fn shape(scene: &Scene, number: usize, solid: &Solid) -> Result<(), SceneError> 
             length("solids.shape.radius", *radius)?;
             length("solids.shape.length", *line)?;
         }
+        Shape::Facet { length: along, near, far } => {
+            length("solids.shape.near", *near)?;
+            if !is_flat {
+                length("solids.shape.length", *along)?;
+                length("solids.shape.far", *far)?;
+            }
+        }
         Shape::Polygon { corners } => polygon(number, corners)?,
     }
     let dimension = match (&solid.shape, is_flat) {
@@ -89,6 +105,15 @@ fn shape(scene: &Scene, number: usize, solid: &Solid) -> Result<(), SceneError> 
     };
     if let Some((what, other, why)) = dimension {
         return Err(not_together(what, other, why));
+    }
+    let is_sheet = matches!(solid.shape, Shape::Facet { .. });
+    if is_sheet && (solid.hollow || matches!(solid.model, SolidModel::ClosedForm | SolidModel::Particles)) {
+        let (other, why) = if solid.hollow {
+            (field("solids.hollow"), "turn the facet by 180 degrees instead")
+        } else {
+            (field("solids.model"), "a sheet has no inside; use Penalty or Repulsion, or a thin Box")
+        };
+        return Err(not_together("shape Facet", other, why));
     }
     if solid.shape == Shape::Plane && (solid.hollow || solid.model == SolidModel::Particles) {
         let (other, why) = if solid.hollow {

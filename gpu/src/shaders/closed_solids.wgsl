@@ -21,12 +21,32 @@ fn between(i: u32, near: Near, gamma: u32) -> vec3<f32> {
   return vec3(x, y, part_between(gamma, half.z * near.inverse, near.local.z * near.inverse));
 }
 
+// Returns how far a particle lies within the round side of a cylinder, over its support radius, and half of the
+// curvature of that side.
+fn round_side(i: u32, near: Near) -> vec2<f32> {
+  let size = solid_size(i);
+  return vec2(-beyond_cylinder(size, near.local).x * near.inverse, div(0.5f, size.x * near.inverse));
+}
+
+// Returns the parts of a kernel between the ends of a cylinder, and within its side.
+fn in_cylinder(i: u32, near: Near, gamma: u32, bending: u32) -> vec2<f32> {
+  let side = round_side(i, near);
+  let ends = part_between(gamma, solid_size(i).y * near.inverse, near.local.y * near.inverse);
+  return vec2(ends, part_within(gamma, bending, side.x, side.y));
+}
+
 fn bend_of(i: u32, near: Near) -> f32 { return div(solid_curvature(i, near.local) * 0.5f, near.inverse); }
 
 fn front_of_solid(i: u32, near: Near, gamma: u32, bending: u32) -> f32 {
-  if solid_kind(i) == BOX {
-    let parts = between(i, near, gamma);
-    let inside = parts.x * parts.y * parts.z;
+  if solid_kind(i) == BOX || solid_kind(i) == CYLINDER {
+    var inside = 0.0f;
+    if solid_kind(i) == BOX {
+      let parts = between(i, near, gamma);
+      inside = parts.x * parts.y * parts.z;
+    } else {
+      let parts = in_cylinder(i, near, gamma, bending);
+      inside = parts.x * parts.y;
+    }
     if solid_side(i) < 0.0f { return inside; }
     return 1.0f - inside;
   }
@@ -56,6 +76,25 @@ fn with_solids(
     let others = div(in_front, front_of_solid(i, near, gamma, bending));
     let speed = speed_of(pose, near.local);
     let rough = solid_row(i, 2u).z;
+    if solid_kind(i) == CYLINDER {
+      let parts = in_cylinder(i, near, gamma, bending);
+      let round = round_side(i, near);
+      let side = solid_side(i);
+      let size = solid_size(i);
+      let up = vec3(0.0f, side, 0.0f);
+      let high = (near.local.y - size.y) * side;
+      let low = (-near.local.y - size.y) * side;
+      let top = Face(world_vector(pose, up), high, high * near.inverse, speed, rough);
+      sum = with_face(velocity, support, viscosity, surface, sum, top, others * parts.y);
+      let bottom = Face(world_vector(pose, up * -1.0f), low, low * near.inverse, speed, rough);
+      sum = with_face(velocity, support, viscosity, surface, sum, bottom, others * parts.y);
+      let away = direction_or(vec3(near.local.x, 0.0f, near.local.z), vec3(1.0f, 0.0f, 0.0f)) * side;
+      let height = beyond_cylinder(size, near.local).x * side;
+      let around = Face(world_vector(pose, away), height, height * near.inverse, speed, rough);
+      let share = others * parts.x * curved_share(-round.x, round.y);
+      sum = with_face(velocity, support, viscosity, surface, sum, around, share);
+      continue;
+    }
     if solid_kind(i) != BOX {
       let ratio = near.surface.distance * near.inverse;
       let share = others * curved_share(ratio, bend_of(i, near));

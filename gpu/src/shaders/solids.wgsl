@@ -49,7 +49,9 @@ fn polygon(i: u32, local: vec3<f32>) -> Surface {
 }
 
 // Returns the distance of a point of a solid's frame from its surface, m; negative inside of the solid.
+// Nothing is inside of a facet.
 fn solid_distance(i: u32, local: vec3<f32>) -> f32 {
+  if solid_kind(i) == FACET { return 3.4028235e38f; }
   if solid_kind(i) == POLYGON { return polygon(i, local).distance; }
   return shape_distance(solid_kind(i), solid_size(i), local) * solid_side(i);
 }
@@ -59,6 +61,26 @@ fn solid_surface(i: u32, local: vec3<f32>) -> Surface {
   if solid_kind(i) == POLYGON { return polygon(i, local); }
   let normal = shape_normal(solid_kind(i), solid_size(i), local) * solid_side(i);
   return Surface(solid_distance(i, local), normal);
+}
+
+// Returns the acceleration with which the solids that repel act on a particle, m/s2.
+fn repelled(position: vec3<f32>) -> vec3<f32> {
+  var sum = vec3(0.0f, 0.0f, 0.0f);
+  for (var i = 0u; i < p.solid_counts.x; i += 1u) {
+    if solid_row(i, 0u).z != REPELS { continue; }
+    let pose = pose_now(i);
+    let local = local_of(pose, position);
+    let strength = solid_row(i, 2u).w;
+    if solid_kind(i) == FACET {
+      var above = is_over_facet(solid_size(i), local);
+      if less(local.y, 0.0f) { above = 0.0f; }
+      sum = sum + world_vector(pose, vec3(0.0f, repulsion(strength, local.y) * above, 0.0f));
+    } else {
+      let seen = solid_surface(i, local);
+      sum = sum + world_vector(pose, seen.normal * repulsion(strength, seen.distance));
+    }
+  }
+  return sum;
 }
 
 fn solid_curvature(i: u32, local: vec3<f32>) -> f32 {

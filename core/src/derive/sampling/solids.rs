@@ -40,7 +40,7 @@ fn lattice(solid: &Solid, scene: &Scene, layers: u32) -> Lattice {
 /// The solid with this number, if it has particles.
 fn sampled(number: usize, scene: &Scene) -> Option<&Solid> {
     let solid = scene.solids.get(number).filter(|solid| solid.model == SolidModel::Particles);
-    solid.filter(|solid| solid.shape != Shape::Plane)
+    solid.filter(|solid| !matches!(solid.shape, Shape::Plane | Shape::Facet { .. }))
 }
 
 /// Number of particles of a solid. It is found in a bounded time for any scene, checked or not.

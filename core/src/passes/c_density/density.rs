@@ -12,7 +12,7 @@ use crate::passes::listing::{self, Near, Visit};
 use crate::passes::lists::GROUP;
 use crate::passes::local::{Particles, of_material, own_numbers, particles, spread};
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
-use crate::terms::beyond::{completed, rate_by_walls};
+use crate::terms::beyond::{completed, completed_twice_at_most, rate_by_walls};
 use crate::terms::correction::pressure_carried;
 use crate::terms::density::{
     continuity_neighbour, continuity_slope, deviation_of_sum, deviation_rate, deviation_stepped, is_stepped,
@@ -78,8 +78,9 @@ struct Diffusing<'a, R> {
 }
 
 impl<R: Lanes> Receivers<'_, R> {
-    /// Returns the contributions of neighbours to three sums: of density or its rate, of near density, and of number
-    /// density.
+    /// Returns the contributions of neighbours to four sums: of density or its rate, of near density, of number density,
+    /// and of the density of walls. With walls in closed form the second sum is the diffusion of density, which is not
+    /// completed as the rate is.
     #[inline(always)]
     fn add(&self, slots: &Slots) -> [R; 4] {
         let Setup { model: m, parameters: p, materials, columns, uniform: u, tables: t, .. } = *self.setup;
@@ -107,6 +108,7 @@ impl<R: Lanes> Receivers<'_, R> {
         let q = root(squared_ratio(m, p, x_ab, scale));
         let slope = continuity_slope(m, t, q, scale);
         let mut rate = continuity_neighbour(m, dot3(x_ab, v_ab), mass_b, q, slope, scale);
+        let mut diffusion = none;
         if m.density_diffusion != NO_DIFFUSION {
             let Diffusing { previous, renormalised, gradient, deviation, sound, fluid } = self.diffusing;
             let [deviation_b, ..] = R::gather(previous, slots);
@@ -119,9 +121,19 @@ impl<R: Lanes> Receivers<'_, R> {
                 difference = difference - linear_difference(x_ab, gradient, gradient_b);
             }
             let part = diffusion_neighbour(m, p, difference, sound, mass_b, q, slope, scale);
-            rate = rate + if_diffusing(m, part, fluid, of_properties(3), of_properties(1));
+            let part = if_diffusing(m, part, fluid, of_properties(3), of_properties(1));
+            if m.has_closed_walls == 1 {
+                diffusion = part;
+            } else {
+                rate = rate + part;
+            }
         }
-        beside(self.setup, rate, mass_b, q2, scale)
+        let mut sums = beside(self.setup, rate, mass_b, q2, scale);
+        if m.has_closed_walls == 1 {
+            // there is no near density then
+            sums[1] = diffusion;
+        }
+        sums
     }
 }
 
@@ -240,6 +252,8 @@ impl Density<'_> {
                 let position = position - velocity * real(u.half_time_step);
                 let beyond = beyond::of_pressure(setup, Front { position, ..front });
                 rate = completed(rate + rate_by_walls(previous[0], beyond), beyond.gamma);
+                let diffusion = deviation_rate(m, p, near_sum, mass, rest);
+                rate = rate + completed_twice_at_most(diffusion, beyond.gamma);
             } else {
                 sum = completed(sum, beyond::of_density(setup, front).gamma);
             }

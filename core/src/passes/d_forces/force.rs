@@ -5,12 +5,14 @@ use crate::arithmetic::real::{div, real, vec3};
 use crate::layout::f32x4;
 use crate::passes::beyond::{self, Front};
 use crate::passes::by_model;
-use crate::passes::context::Step;
+use crate::passes::context::{Setup, Step};
 use crate::passes::field;
 use crate::passes::group::{Group, fold};
 use crate::passes::half_stencil;
+use crate::passes::lists::GROUP;
 use crate::passes::local::{own_numbers, particles};
 use crate::passes::pairs::{self, Job, PairPass, cells, lists};
+use crate::solids::{Solid, solids};
 use crate::terms::beyond::{completed3, wall_push, wall_rub};
 use crate::terms::exchange::{exchange_close, exchange_neighbour, exchange_share};
 use crate::terms::external::{external_close, weight};
@@ -95,6 +97,9 @@ fn close<R: Lanes>(group: &Group<'_>, a: Local<R>, acting: R, force: vec3<R>, ow
         }
         internal = completed3(internal, beyond.gamma);
     }
+    if m.has_repulsion == 1 {
+        internal = internal + repelled(setup, a.position);
+    }
     if m.has_velocity_exchange == 1 {
         let [x, y, z, shares] = fold!(group: R, is zero with itself, |slots| {
             let b = group.neighbours(slots);
@@ -109,6 +114,20 @@ fn close<R: Lanes>(group: &Group<'_>, a: Local<R>, acting: R, force: vec3<R>, ow
     let acceleration = external_close(m, p, u, internal, a.velocity, density_ratio(m, a.deviation, a.rest_ratio));
     let vec3 { x, y, z } = if_free(m, acceleration, a.wall);
     R::rows([x, y, z, real(0.0)], own);
+}
+
+/// Returns the acceleration with which the solids that repel act on the receivers.
+#[inline(never)]
+fn repelled<R: Lanes>(setup: &Setup<'_>, position: vec3<R>) -> vec3<R> {
+    let mut each = [vec3(0.0, 0.0, 0.0); GROUP];
+    for (receiver, own) in each.iter_mut().enumerate().take(R::RECEIVERS) {
+        let lane = receiver * R::NEIGHBOURS;
+        let place = vec3(position.x.lane(lane), position.y.lane(lane), position.z.lane(lane));
+        let all = solids(setup.model, setup.parameters, setup.poses).filter(Solid::repels);
+        *own = all.fold(*own, |sum, solid| sum + solid.repulsion(place));
+    }
+    let along = |axis: fn(vec3<f32>) -> f32| R::from_lanes(|lane| axis(each[lane / R::NEIGHBOURS]));
+    vec3(along(|v| v.x), along(|v| v.y), along(|v| v.z))
 }
 
 /// Computes the same accelerations with the half stencil: the forces are summed already, and stand in the entries that

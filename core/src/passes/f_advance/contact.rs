@@ -14,7 +14,7 @@ use crate::solids::{Solid, Surface, solids};
 use crate::terms::boundary::{depth_behind, put_back, reflected, share_behind, share_of_way};
 use crate::terms::geometry::{dot3, flush3, length2};
 use crate::terms::integrate::{has_history, history_reversed, wrap};
-use crate::terms::shape::direction_or;
+use crate::terms::shape::{FACET, direction_or};
 
 /// How often a particle is put back in a step.
 const ROUNDS: u32 = 3;
@@ -37,6 +37,11 @@ struct Hit {
 /// Returns where the path from `from` to `to` comes to the solid; `None` if it does not.
 fn first_hit(solid: &Solid<'_>, touch: f32, from: vec3<f32>, to: vec3<f32>) -> Option<Hit> {
     let way = to - from;
+    if solid.kind() == FACET {
+        let share = solid.crossing(touch, from, way);
+        let above = vec3(0.0, 1.0, 0.0);
+        return less(share, 1.5).then(|| Hit { foot: from + way * share, normal: above });
+    }
     let length = root(length2(way));
     let (before, after) = (solid.distance(from), solid.distance(to));
     if less(length, before + after) {

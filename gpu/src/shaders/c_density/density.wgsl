@@ -56,7 +56,8 @@ fn pass_body(a: u32) {
             }
             let properties_b = properties_of(new_velocity[b].w);
             let part = diffusion_neighbour(difference, sound, mass_b, q, slope, scale);
-            rate = rate + if_diffusing(part, own_properties.w, properties_b.w, properties_b.y);
+            let diffused = if_diffusing(part, own_properties.w, properties_b.w, properties_b.y);
+            if m.has_closed_walls == 1u { near_sum = near_sum + diffused; } else { rate = rate + diffused; }
           }
           sum = sum + rate;
         } else {
@@ -80,6 +81,7 @@ fn pass_body(a: u32) {
       let x_mid = x_a.xyz - v_a.xyz * u.half_time_step;
       let beyond = of_pressure(x_mid, v_a.xyz, support, 0.0f);
       rate = completed(rate + rate_by_walls(previous_density_pressure[a].x, beyond), beyond.gamma);
+      rate = rate + completed_twice_at_most(deviation_rate(near_sum, x_a.w, own_properties.z), beyond.gamma);
     } else {
       sum = completed(sum, of_density(x_a.xyz, v_a.xyz, support, 0.0f).gamma);
     }

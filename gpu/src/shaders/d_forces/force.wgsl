@@ -49,6 +49,7 @@ fn pass_body(i: u32) {
     if has_friction() { internal = internal + wall_rub(a, beyond); }
     internal = completed3(internal, beyond.gamma);
   }
+  if m.has_repulsion == 1u { internal = internal + repelled(a.position); }
   if m.has_velocity_exchange == 1u { internal = internal + change * exchange_close(shares); }
   if m.has_acceleration_field == 1u { internal = internal + field; }
   force_out[i] = vec4(external_close(internal, a.velocity, density_ratio(a.deviation, a.rest_ratio)), 0.0f);

@@ -21,6 +21,10 @@ fn nearest_hit(i: u32, to: vec3<f32>) -> Hit {
 // Returns where the path between two points of its frame comes to a solid.
 fn first_hit(i: u32, touch: f32, start: vec3<f32>, to: vec3<f32>) -> Hit {
   let way = to - start;
+  if solid_kind(i) == FACET {
+    let share = facet_crossing(solid_size(i), touch, start, way);
+    return Hit(less(share, 1.5f), start + way * share, vec3(0.0f, 1.0f, 0.0f));
+  }
   let length = root(length2(way));
   let before = solid_distance(i, start);
   let after = solid_distance(i, to);

@@ -134,6 +134,7 @@ fn surroundings() -> Vec<Choice> {
                 ("none", |_| {}),
                 ("Penalty", |s| solids(s, SolidModel::Penalty)),
                 ("ClosedForm", |s| solids(s, SolidModel::ClosedForm)),
+                ("Repulsion", |s| solids(s, SolidModel::Repulsion)),
                 ("Particles", |s| solids(s, SolidModel::Particles)),
             ],
         ),

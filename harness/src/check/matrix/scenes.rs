@@ -86,7 +86,8 @@ pub fn solids(s: &mut Scene, model: SolidModel) {
     let corners = [(-0.12, -0.1), (0.12, -0.12), (0.0, 0.12)].map(Vec2::from).into_iter().collect();
     let other = if is_flat { Shape::Polygon { corners } } else { Shape::Cylinder { radius: 0.13, height: 0.2 } };
     let course = |course| Motion::Prescribed(course);
-    let viscosity = (model != SolidModel::Penalty).then_some(1.5);
+    let has_friction = matches!(model, SolidModel::ClosedForm | SolidModel::Particles);
+    let viscosity = has_friction.then_some(1.5);
     let ball = Solid::still(Shape::Ball { radius: 0.14 }, [0.8, 0.25, z]);
     let capsule = Solid {
         turned: Vec3::new(0.0, 0.0, 80.0),
@@ -113,9 +114,14 @@ pub fn solids(s: &mut Scene, model: SolidModel) {
         motion: course(swing),
         ..Solid::still(Shape::Box { size: Vec3::new(1.14, 1.3, 0.9) }, [0.4, 0.4, z]).hollow()
     };
-    let all = [ball, capsule, below, turning, around];
-    s.solids = all
+    let sheet = Solid {
+        turned: Vec3::new(0.0, 0.0, -10.0),
+        ..Solid::still(Shape::Facet { length: 0.5, near: 0.6, far: 0.3 }, [0.4, 0.03, z])
+    };
+    let sheets = (!has_friction).then_some(sheet);
+    s.solids = [ball, capsule, below, turning, around]
         .into_iter()
+        .chain(sheets)
         .map(|solid| Solid { model, dynamic_viscosity: viscosity, restitution: 0.3, slip: 0.6, ..solid })
         .collect();
 }
