@@ -71,6 +71,7 @@ mod error;
 mod executor;
 mod flux;
 mod grid;
+pub mod guide;
 mod hash;
 mod layout;
 mod live;

@@ -2,7 +2,7 @@
 use crate::failure::Failure;
 use crate::output::{print_json, say};
 use crate::scenes::{BUILT_IN, Changes, load};
-use crate::{bench, check, compare, error_study, plan_view, run, showcase, stability};
+use crate::{bench, check, compare, error_study, guide_view, plan_view, run, showcase, stability};
 use clap::{Parser, Subcommand};
 
 /// Runs a deterministic, fixed-capacity SPH fluid, compares its backends bit for bit, and measures error against run
@@ -38,6 +38,8 @@ enum Command {
     /// Map the largest stable time step of a scene over axes such as stiffness and integrator; for `tower`, reproduce
     /// the analysis of Hinsch 2024
     Stability(stability::Options),
+    /// Derive a scene from the size of a volume of fluid, its properties and one number for the resolution
+    Guide(guide_view::Options),
     /// List the built-in scenes
     Scenes {
         /// Print the list as JSON on stdout
@@ -61,6 +63,7 @@ impl Cli {
             Some(Command::Error(options)) => error_study::execute(&options),
             Some(Command::Check(options)) => check::execute(&options),
             Some(Command::Stability(options)) => stability::execute(&options),
+            Some(Command::Guide(options)) => guide_view::execute(&options),
             Some(Command::Scenes { json }) => list_scenes(json),
         }
     }

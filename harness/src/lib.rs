@@ -19,6 +19,7 @@ pub mod fluid;
 pub mod frames;
 pub mod gauge;
 pub mod gauges;
+pub mod guide_view;
 pub mod nearest;
 mod outcome;
 pub mod output;

@@ -34,6 +34,13 @@ pub fn solid_choices(add: Add<'_>) {
         });
     }
     for &density in DensityForm::ALL {
+        for pressure in [WallPressure::LennardJones, WallPressure::KernelForce] {
+            add(format!("walls that repel, {pressure:?}, {density:?}"), &|s| {
+                falls(s);
+                walls(s);
+                (s.model.density, s.model.wall_pressure, s.model.wall_rigidity) = (density, pressure, 0.1);
+            });
+        }
         add(format!("solids in closed form and a container, {density:?}"), &|s| {
             closed(s);
             falls(s);

@@ -23,6 +23,9 @@ const SOFTENING: f64 = 0.01 / 4.0;
 /// 0.2 smoothing lengths).
 const SHIFT_LIMIT: f64 = 0.1;
 
+/// Distance over the particle spacing from the surface of a solid at which a path has come to it (our choice).
+const TOUCH: f32 = 1e-4;
+
 /// Distance over the particle spacing from all others that a new particle must have (our choice): one that is nearer is
 /// pushed away at once.
 pub(crate) const CLEARANCE: f32 = 0.75;
@@ -120,6 +123,10 @@ pub(super) fn parameters(
         shift_limit_length: (SHIFT_LIMIT * f64::from(scene.particle_spacing)) as f32,
         inverse_kernel_at_spacing: inverse_kernel_at_spacing(scene, support),
         heat_gain: model.heat_gain,
+        wall_rigidity: model.wall_rigidity,
+        spacing2: scene.particle_spacing * scene.particle_spacing,
+        closest2: 1e-6 * scene.particle_spacing * scene.particle_spacing,
+        touch: TOUCH * scene.particle_spacing,
         ambient_ratio: scene.ambient_density / fluid.rest_density,
         restitution: container.map_or(0.0, |c| c.restitution),
         slip: container.map_or(0.0, |c| c.slip),

@@ -57,6 +57,8 @@ shared! {
         pub has_carried: u32,
         /// [`terms::wall`](crate::terms::wall): wall particles; 0: none.
         pub wall_particles: u32,
+        /// 1: wall particles repel, and have no part in density and pressure.
+        pub has_repelling_walls: u32,
         /// 1: at least one axis is periodic.
         pub is_periodic: u32,
         /// 1: support radii follow the density.

@@ -128,6 +128,14 @@ shared! {
         pub inverse_kernel_at_spacing: f32,
         /// Share of the dissipated energy that becomes internal energy.
         pub heat_gain: f32,
+        /// Strength with which wall particles repel the fluid, over the square of the speed of sound.
+        pub wall_rigidity: f32,
+        /// Square of the particle spacing, m2.
+        pub spacing2: f32,
+        /// Squared distance below which the repulsion of wall particles grows no more, m2.
+        pub closest2: f32,
+        /// Distance from the surface of a solid at which a path has come to it, m.
+        pub touch: f32,
         /// Ambient density over the rest density of the first fluid.
         pub ambient_ratio: f32,
         /// Share of the normal velocity that a penalty plane returns.

@@ -8,6 +8,7 @@ use crate::terms::integrate::{SEMI_IMPLICIT_EULER, knows_velocity};
 use crate::terms::shifting::FICKIAN;
 use crate::terms::table::DIRECT;
 use crate::terms::tension::{CURVATURE, NORMAL_CURVATURE};
+use crate::terms::wall::repels_directly;
 
 impl Model {
     /// Returns whether a step needs the density and pressure of the particles before the step.
@@ -44,7 +45,8 @@ impl Model {
     /// pass before it needs the neighbours.
     #[must_use]
     pub fn sums_distances(&self) -> bool {
-        !is_stepped(self) && !counts_masses(self) && self.has_variable_support == 0 && !self.renormalises()
+        let depends = is_stepped(self) || counts_masses(self) || repels_directly(self);
+        !depends && self.has_variable_support == 0 && !self.renormalises()
     }
 
     /// Returns whether a step makes neighbour lists. The half stencil searches the cells in each pass instead.

@@ -7,7 +7,7 @@ use crate::terms::table::DIRECT;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Known {
     /// One material, no wall particles and no periodic axis; kernels evaluated by formula, a constant support, no
-    /// particles that can be inactive.
+    /// particles that can be inactive, and no walls that repel.
     OneMaterial,
     /// Any materials, masses and wall particles; no periodic axis; kernels, support and activity as for `OneMaterial`.
     NoPeriods,
@@ -38,7 +38,14 @@ impl Known {
     /// The model with the assumed values as constants. It equals `model` if the case applies.
     #[inline(always)]
     pub(crate) const fn in_model(self, model: &Model) -> Model {
-        let usual = Model { evaluation: DIRECT, has_variable_support: 0, has_inactive: 0, tait_exponent: 7, ..*model };
+        let usual = Model {
+            evaluation: DIRECT,
+            has_variable_support: 0,
+            has_inactive: 0,
+            tait_exponent: 7,
+            has_repelling_walls: 0,
+            ..*model
+        };
         match self {
             Known::OneMaterial => Model {
                 is_periodic: 0,

@@ -79,6 +79,7 @@ impl Plan {
                 has_wind: u32::from(scene.wind.is_some_and(|w| w.drag != 0.0) || live(Adjustable::Wind)),
                 has_container: u32::from(scene.container.is_some()),
                 wall_particles: if walls { everything.model.wall_particles } else { wall::NO_WALLS },
+                has_repelling_walls: u32::from(walls && choice.wall_pressure.repels()),
                 has_variable_support: u32::from(choice.variable_support.is_some()),
                 has_variable_mass: u32::from(choice.initialize_hydrostatic),
                 has_materials: u32::from(blocks_differ || several || walls || scene.has_inactive()),
@@ -147,6 +148,7 @@ impl Plan {
                 has_repulsion: u32::from(scene.solids.iter().any(|solid| solid.model == SolidModel::Repulsion)),
                 has_carried: u32::from(scene.solids.iter().any(Solid::carries)),
                 wall_particles: choice.wall_pressure as u32,
+                has_repelling_walls: u32::from(choice.wall_pressure.repels()),
                 is_periodic: u32::from(scene.periodic_axes().next().is_some()),
                 // kernel tables are made for a single support, and the half stencil searches with a single support
                 has_variable_support: u32::from(

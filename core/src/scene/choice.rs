@@ -275,6 +275,13 @@ choice! {
         /// Adams 2012); layers as far as a support radius reaches. With a viscosity, and without slip, the velocity
         /// that the fluid sees is continued too, so that it vanishes at the surface of the wall.
         Extrapolated = wall::EXTRAPOLATED => &["wall_pressure_neighbour"],
+        /// None: the wall particles repel the fluid, each along the line to a fluid particle, with the force of Lennard
+        /// and Jones where it repels, nearer than a particle spacing (Monaghan 1994; Pirovano, eq. 3.13). They have no
+        /// part in density and pressure, but viscosity acts on them. The strength is
+        /// [`Formulation::wall_rigidity`](super::Formulation::wall_rigidity).
+        LennardJones = wall::LENNARD_JONES => &["lennard_jones"],
+        /// None: as with `LennardJones`, but with a force in proportion to the density kernel (Pirovano, section 3.5.2).
+        KernelForce = wall::KERNEL_FORCE => &["kernel_force"],
     }
 }
 
@@ -344,4 +351,11 @@ pub enum Iteration {
     /// which sound travels more than 1.5 particle spacings per step are rejected, because this iteration would not
     /// converge.
     Literal = correction::LITERAL,
+}
+
+impl WallPressure {
+    /// Returns whether wall particles repel instead of having a pressure.
+    pub(crate) fn repels(self) -> bool {
+        matches!(self, WallPressure::LennardJones | WallPressure::KernelForce)
+    }
 }

@@ -44,6 +44,7 @@ const PIROVANO: Formulation = Formulation {
     heat_gain: 1.0,
     variable_support: None,
     wall_pressure: WallPressure::Mirrored,
+    wall_rigidity: 0.02,
 };
 
 /// The formulas of [`Recipe::FreeSurface`], from which the other kinds of flow start.

@@ -151,6 +151,10 @@ formulation! {
         /// The pressure that fluid particles see at wall particles (default that of the fluid around these,
         /// extrapolated).
         pub wall_pressure: WallPressure,
+        /// Strength with which wall particles repel the fluid, over the square of the speed of sound, 0 or more (default
+        /// 0.02). It needs to be about that of the square of the fastest flow, and results hardly depend on it (Monaghan
+        /// 1994). Only with [`WallPressure::LennardJones`] and [`WallPressure::KernelForce`].
+        pub wall_rigidity: f32,
     }
 }
 

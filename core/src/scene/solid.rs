@@ -131,7 +131,7 @@ pub enum Shape {
         length: f32,
     },
     /// A flat sheet without thickness that stops what comes from above, and lets pass what comes from below: an open
-    /// polygon with one side (Bryan 1995). It is a trapezoid in the plane of x and z, and in 2D a line along x. Several of
+    /// polygon with one side (Roy). It is a trapezoid in the plane of x and z, and in 2D a line along x. Several of
     /// them form a funnel. Only with [`SolidModel::Penalty`] and [`SolidModel::Repulsion`].
     Facet {
         /// Length along z, m; ignored in 2D.
@@ -166,7 +166,7 @@ pub enum SolidModel {
     /// [`Formulation::wall_pressure`](super::Formulation::wall_pressure).
     Particles = 2,
     /// It repels what comes near, the more the nearer, with the acceleration `repulsion (1 / d - 1 / H)` at the distance
-    /// d, where H is the support radius (Bryan 1995). What comes inside all the same is treated as with `Penalty`.
+    /// d, where H is the support radius (Roy). What comes inside all the same is treated as with `Penalty`.
     Repulsion = 3,
 }
 

@@ -1,5 +1,6 @@
 //! The force of one neighbour on a particle, and the acceleration that follows from the sum of these forces.
 use super::correction::*;
+use super::geometry::*;
 use super::kernel::*;
 use super::near::*;
 use super::pair::*;
@@ -94,6 +95,34 @@ pub fn drag_of_pair<R: Real>(
     return vec3(if_inside(q, drag.x), if_inside(q, drag.y), if_inside(q, drag.z));
 }
 
+/// Returns `push`, or for a wall particle that repels the factor of `x_ab` in the force density of its repulsion.
+#[inline(always)]
+pub fn push_or_repulsion<R: Real>(
+    m: &Model,
+    p: &Parameters,
+    t: &Tables,
+    a: Local<R>,
+    b: Local<R>,
+    x_ab: vec3<R>,
+    push: R,
+    q: R,
+    scale: R,
+) -> R {
+    if !repels_directly(m) {
+        return push;
+    }
+    let one: R = real(1.0);
+    let density = div(one, inverse_density(m, p, a));
+    let strength = density * a.speed_of_sound * a.speed_of_sound * p.wall_rigidity;
+    let of_wall = less(real(0.0), b.wall);
+    if m.wall_particles == LENNARD_JONES {
+        return select(push, if_inside(q, lennard_jones(p, length2(x_ab)) * strength), of_wall);
+    }
+    // Ten times the strength, so that both forms need about the same rigidity (our choice).
+    let value = value_scaled(m, density_kernel(m, t, q * q), scale) * (p.density_constant * 10.0);
+    return select(push, along_pair(p, value * strength * p.inverse_support, q, scale), of_wall);
+}
+
 /// Returns the force density of pressure and viscosity on `a`, N/m3.
 #[inline(always)]
 pub fn push_and_drag<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>, b: Local<R>) -> vec3<R> {
@@ -101,7 +130,8 @@ pub fn push_and_drag<R: Real>(m: &Model, p: &Parameters, t: &Tables, a: Local<R>
     let scale = pair_scale(m, a.support, b.support);
     // The loops select neighbours by the same q^2, so particles that are not neighbours add exact zeros.
     let q = root(squared_ratio(m, p, x_ab, scale));
-    let pushed = x_ab * along_pair(p, push_neighbour(m, p, t, a, b, q, scale), q, scale);
+    let push = along_pair(p, push_neighbour(m, p, t, a, b, q, scale), q, scale);
+    let pushed = x_ab * push_or_repulsion(m, p, t, a, b, x_ab, push, q, scale);
     if m.viscosity == NO_VISCOSITY {
         return pushed;
     }

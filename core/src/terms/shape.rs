@@ -1,6 +1,6 @@
-//! Shapes: signed distance from a surface, its outward normal, and its curvature, in the frame of the shape (the exact
-//! distances of Quilez 2008). The distance is positive outside. Nowhere does it change faster than the position does,
-//! which is what a search for the first point of a path inside of a shape relies on (Hart 1996).
+//! Shapes: signed distance from a surface, its outward normal, and its curvature, in the frame of the shape. The
+//! distance is positive outside. Nowhere does it change faster than the position does, which is what a search for the
+//! first point of a path inside of a shape relies on (Hart 1996).
 //!
 //! `size` is the radius (ball); half of the edges (box); radius and half of the height (cylinder); radius and half of
 //! the length (capsule); half of the widths at the two ends and half of the length (facet).
@@ -181,7 +181,7 @@ pub fn facet_crossing<R: Real>(m: &Model, size: vec3<R>, touch: R, start: vec3<R
     return select(at, never, less(real(1.0), at));
 }
 
-/// Returns the acceleration with which a solid repels what is at a distance from it, m/s2 (Bryan 1995). Nearer than
+/// Returns the acceleration with which a solid repels what is at a distance from it, m/s2 (Roy). Nearer than
 /// a thousandth of the support radius it grows no more.
 #[inline(always)]
 pub fn repulsion<R: Real>(p: &Parameters, strength: R, distance: R) -> R {
@@ -200,7 +200,7 @@ pub fn from_side<R: Real>(start: vec3<R>, side: vec3<R>, x: vec3<R>) -> vec3<R> 
 }
 
 /// Returns by how much a side of a polygon changes the number of turns that the polygon makes around a point: 1, 0 or
-/// -1 (Sunday 2001).
+/// -1 (Hormann and Agathos 2001).
 #[inline(always)]
 pub fn winding<R: Real>(start: vec3<R>, side: vec3<R>, x: vec3<R>) -> R {
     let nothing: R = real(0.0);

@@ -1,7 +1,7 @@
 //! Walls made of particles: the values that a fluid particle sees of a wall particle.
 use super::pair::*;
 use crate::arithmetic::real::*;
-use crate::layout::Model;
+use crate::layout::{Model, Parameters};
 
 /// No wall particles.
 pub const NO_WALLS: u32 = 0;
@@ -11,12 +11,44 @@ pub const MIRRORED: u32 = 1;
 pub const DYNAMIC: u32 = 2;
 /// Wall particles that take their pressure and velocity from the fluid around them (Adami, Hu and Adams 2012).
 pub const EXTRAPOLATED: u32 = 3;
+/// Wall particles that repel by the force of Lennard and Jones (Monaghan 1994; Pirovano, eq. 3.13).
+pub const LENNARD_JONES: u32 = 4;
+/// Wall particles that repel in proportion to the density kernel (Pirovano, section 3.5.2).
+pub const KERNEL_FORCE: u32 = 5;
+
+/// Returns whether wall particles repel, and have no part in density and pressure.
+#[inline(always)]
+pub fn repels_directly(m: &Model) -> bool {
+    return m.has_repelling_walls == 1;
+}
+
+/// Returns `x`, or 0 for a wall particle that repels.
+#[inline(always)]
+pub fn unless_repelling<R: Real>(m: &Model, x: R, wall_b: R) -> R {
+    if repels_directly(m) {
+        return select(x, real(0.0), less(real(0.0), wall_b));
+    }
+    return x;
+}
+
+/// Returns the force of Lennard and Jones between a fluid particle and a wall particle, as the factor of `x_ab` in the
+/// acceleration over the strength, 1/m2: `((h / r)^12 - (h / r)^6) / r^2` nearer than the particle spacing h. Nearer than
+/// half of it, which a particle hardly comes, it grows no more than 1 / r^2.
+#[inline(always)]
+pub fn lennard_jones<R: Real>(p: &Parameters, r2: R) -> R {
+    let one: R = real(1.0);
+    let away2 = larger(r2, real(p.closest2));
+    let s2 = smaller(div(real(p.spacing2), away2), real(4.0));
+    let s6 = s2 * s2 * s2;
+    let strength = larger(s6 * s6 - s6, real(0.0));
+    return strength * div(one, away2);
+}
 
 /// Returns whether wall particles have no density of their own: what a fluid particle sees of them follows from the
 /// fluid.
 #[inline(always)]
 pub fn follows_fluid(m: &Model) -> bool {
-    return m.wall_particles == MIRRORED || m.wall_particles == EXTRAPOLATED;
+    return m.wall_particles == MIRRORED || m.wall_particles == EXTRAPOLATED || repels_directly(m);
 }
 
 /// Returns `x` for a neighbour in the fluid, and the particle's own value for a wall particle that follows the fluid.

@@ -6,7 +6,8 @@ use crate::derive::scales::Scales;
 use crate::error::{Field, SceneError};
 use crate::scene::{
     Adjustable, Air, Correction, DensityDiffusion, DensityForm, Elasticity, EquationOfState, Evaluation, Fluid,
-    GridStructure, Iteration, Kernel, NearPressure, PressureForce, Scene, SurfaceTension, Viscosity, WallPressure,
+    Formulation, GridStructure, Iteration, Kernel, NearPressure, PressureForce, Scene, SurfaceTension, Viscosity,
+    WallPressure,
 };
 use glam::Vec3;
 
@@ -146,6 +147,7 @@ fn pressure(scene: &Scene) -> Result<(), SceneError> {
              wall_pressure Dynamic, or another pressure_force",
         ));
     }
+    repelling_walls(scene)?;
     let is_stepped = matches!(model.density, DensityForm::Continuity | DensityForm::ContinuityAdapted);
     if model.density_diffusion != DensityDiffusion::Off && !is_stepped {
         return Err(not_together(
@@ -318,4 +320,30 @@ fn support(scene: &Scene) -> Result<(), SceneError> {
     let Some(range) = scene.model.variable_support else { return Ok(()) };
     bounded("model.variable_support.smallest", range.smallest, 0.5..=1.0)?;
     bounded("model.variable_support.largest", range.largest, 1.0..=2.0)
+}
+
+/// Rejects what does not go with wall particles that repel.
+fn repelling_walls(scene: &Scene) -> Result<(), SceneError> {
+    let model = &scene.model;
+    let repels = model.wall_pressure.repels();
+    if !repels && model.wall_rigidity != Formulation::default().wall_rigidity {
+        return Err(not_together(
+            "model.wall_rigidity",
+            "a model.wall_pressure other than LennardJones or KernelForce",
+            "nothing uses it; omit it, or choose one of these",
+        ));
+    }
+    let refused = [
+        (model.density_diffusion == DensityDiffusion::Renormalised, "model.density_diffusion Renormalised"),
+        (scene.corrects_pressure(), "model.pressure_solver PressureCorrection"),
+        (model.internal_energy, "model.internal_energy"),
+    ];
+    let first = refused.into_iter().find(|(is_asked, _)| *is_asked && repels && scene.has_wall_particles());
+    first.map_or(Ok(()), |(_, field)| {
+        Err(not_together(
+            field,
+            "model.wall_pressure LennardJones or KernelForce",
+            "walls that repel have no density and no pressure; use wall_pressure Extrapolated",
+        ))
+    })
 }

@@ -111,6 +111,7 @@ fn coefficients(model: &Formulation) -> Result<(), SceneError> {
     if let Some(speed) = model.shifting_speed {
         positive("model.shifting_speed", speed)?;
     }
+    not_negative("model.wall_rigidity", model.wall_rigidity)?;
     share("model.heat_gain", model.heat_gain)
 }
 

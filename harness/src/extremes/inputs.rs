@@ -44,6 +44,7 @@ const NUMBERS: &[(&str, Number)] = &[
     ("model.shifting_speed", |s| Some(shifted(s).shifting_speed.get_or_insert(1.0))),
     ("fluids[0].near_stiffness", |s| Some(s.fluids[0].near_stiffness.get_or_insert(1.0))),
     ("model.heat_gain", |s| Some(&mut s.model.heat_gain)),
+    ("model.wall_rigidity", |s| Some(&mut s.model.wall_rigidity)),
     ("fluids[0].internal_energy", |s| Some(&mut heated(s).internal_energy)),
     ("fluids[0].colour", |s| s.fluids[0].colour.get_or_insert([0.0; 3]).first_mut()),
     ("fluids[1].rest_density", |s| Some(&mut other(s)?.rest_density)),

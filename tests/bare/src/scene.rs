@@ -50,6 +50,7 @@ pub fn scene() -> Scene {
         heat_gain: 1.0,
         variable_support: None,
         wall_pressure: WallPressure::Mirrored,
+        wall_rigidity: 0.02,
     };
     scene.gravity = Vec3::new(0.0, -9.81, 0.0);
     let model = PlaneModel::Penalty;

@@ -10,7 +10,10 @@ use glam::Vec3;
 /// particles (Pirovano, section 3.5.3); more if the support radius reaches further.
 pub(crate) fn wall_layers(scene: &Scene, scales: &Scales) -> u32 {
     let least = match scene.model.wall_pressure {
-        WallPressure::Mirrored | WallPressure::Extrapolated => 2,
+        WallPressure::Mirrored
+        | WallPressure::Extrapolated
+        | WallPressure::LennardJones
+        | WallPressure::KernelForce => 2,
         WallPressure::Dynamic => 3,
     };
     let largest = scene.model.variable_support.map_or(1.0, |range| f64::from(range.largest));

@@ -1,7 +1,7 @@
 //! Computes the density of each particle from its neighbours, and the pressures and volume that follow from it.
 use crate::arithmetic::lanes::{Lanes, Slots, xyz};
 use crate::arithmetic::real::{less, real, root, select, vec3};
-use crate::layout::f32x4;
+use crate::layout::{Model, f32x4};
 use crate::passes::beyond::{self, Front};
 use crate::passes::by_model;
 use crate::passes::context::{Setup, Step};
@@ -26,7 +26,7 @@ use crate::terms::geometry::dot3;
 use crate::terms::near::near_pressure_close;
 use crate::terms::pair::{pair_scale, separation, squared_ratio};
 use crate::terms::state::{pressure_close, pressure_of_state};
-use crate::terms::wall::{follows_fluid, mass_seen};
+use crate::terms::wall::{follows_fluid, mass_seen, repels_directly, unless_repelling};
 
 /// Fills `density_pressure`. Where density depends on distances only, the pass also finds the neighbours and fills
 /// `neighbours`.
@@ -77,6 +77,17 @@ struct Diffusing<'a, R> {
     fluid: R,
 }
 
+/// Returns the contributions of a neighbour, or nothing for a wall particle that repels.
+#[inline(always)]
+fn counted<R: Lanes>(m: &Model, [sum, near, number, wall]: [R; 4], wall_b: R) -> [R; 4] {
+    [
+        unless_repelling(m, sum, wall_b),
+        unless_repelling(m, near, wall_b),
+        unless_repelling(m, number, wall_b),
+        unless_repelling(m, wall, wall_b),
+    ]
+}
+
 impl<R: Lanes> Receivers<'_, R> {
     /// Returns the contributions of neighbours to four sums: of density or its rate, of near density, of number density,
     /// and of the density of walls. With walls in closed form the second sum is the diffusion of density, which is not
@@ -85,7 +96,7 @@ impl<R: Lanes> Receivers<'_, R> {
     fn add(&self, slots: &Slots) -> [R; 4] {
         let Setup { model: m, parameters: p, materials, columns, uniform: u, tables: t, .. } = *self.setup;
         let [x, y, z, mass] = R::gather(self.particles.position, slots);
-        let needs_velocity = is_stepped(m) || m.is_multi_fluid == 1;
+        let needs_velocity = is_stepped(m) || m.is_multi_fluid == 1 || repels_directly(m);
         let none = real::<R>(0.0);
         let [vx, vy, vz, material] =
             if needs_velocity { R::gather(self.particles.velocity, slots) } else { [none, none, none, none] };
@@ -100,7 +111,8 @@ impl<R: Lanes> Receivers<'_, R> {
         let x_ab = separation(m, p, self.position, vec3(x, y, z));
         let q2 = squared_ratio(m, p, x_ab, scale);
         if !is_stepped(m) {
-            return of_neighbour(self.setup, mass_b, q2, scale);
+            let sums = of_neighbour(self.setup, mass_b, q2, scale);
+            return if repels_directly(m) { counted(m, sums, of_properties(1)) } else { sums };
         }
         // `x_ab` in the middle of the step
         let v_ab = self.velocity - vec3(vx, vy, vz);
@@ -133,7 +145,7 @@ impl<R: Lanes> Receivers<'_, R> {
             // there is no near density then
             sums[1] = diffusion;
         }
-        sums
+        if repels_directly(m) { counted(m, sums, of_properties(1)) } else { sums }
     }
 }
 

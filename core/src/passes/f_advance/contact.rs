@@ -25,9 +25,6 @@ const MOST_TRACED: u32 = 64;
 /// Smallest step of a search over the length of the path, for paths along a surface.
 const LEAST_STEP: f32 = 1.0 / 32.0;
 
-/// Distance from a surface over the particle spacing at which a path has come to it (our choice).
-const TOUCH: f32 = 1e-4;
-
 /// Where a path comes to a solid, in the frame of the solid.
 struct Hit {
     foot: vec3<f32>,
@@ -86,7 +83,7 @@ struct Path {
 
 /// Puts a particle back to the surface of a solid, if it came into it.
 fn touched(setup: &Setup<'_>, path: Path, [before, now]: [Solid<'_>; 2]) -> Path {
-    let touch = setup.parameters.spacing * TOUCH;
+    let touch = setup.parameters.touch;
     let to = now.local_of(path.position);
     let from = if setup.model.is_periodic == 0 {
         before.local_of(path.start)
@@ -133,7 +130,7 @@ fn in_front(setup: &Setup<'_>, old: &[f32x4], path: Path) -> Path {
     if hit {
         for (before, now) in pairs() {
             let local = now.local_of(path.position);
-            if less(now.distance(local), -setup.parameters.spacing * TOUCH) {
+            if less(now.distance(local), -p.touch) {
                 // it is wedged in, and is carried along from where it was
                 let at = before.local_of(path.start);
                 path.position = wrap(m, p, flush3(now.point(at)));

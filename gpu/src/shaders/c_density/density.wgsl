@@ -31,6 +31,8 @@ fn pass_body(a: u32) {
       let x_ab = separation(x_a.xyz, x_b.xyz);
       let scale = pair_scale(support_of(a), support_of(b));
       let q2 = squared_ratio(x_ab, scale);
+      // wall particles that repel have no part in the density
+      if repels_directly() && properties_of(new_velocity[b].w).y > 0.0f { continue; }
       if less(q2, 1.0f) {
         var mass_b = x_b.w;
         if m.is_multi_fluid == 1u {

@@ -3,7 +3,6 @@
 const ROUNDS: u32 = 3u;
 const MOST_TRACED: u32 = 64u;
 const LEAST_STEP: f32 = 0.03125f;
-const TOUCH: f32 = 1e-4f;
 
 fn pose_before(i: u32) -> Pose {
   let r = i * POSE_STRIDE;
@@ -56,7 +55,7 @@ fn touched(path: Path, i: u32) -> Path {
     let away = separation(path.position, now.place) + separation(path.start, path.position);
     start = rotated_back(before.turn.xyz, before.turn.w, away + separation(now.place, before.place));
   }
-  let hit = first_hit(i, p.spacing * TOUCH, start, to);
+  let hit = first_hit(i, p.touch, start, to);
   if !hit.is_hit { return path; }
   let depth = dot3(hit.foot - to, hit.normal);
   if !less(0.0f, depth) { return path; }
@@ -88,7 +87,7 @@ fn in_front_of_all(whole: Path) -> Path {
   if hit {
     for (var i = 0u; i < p.solid_counts.x; i += 1u) {
       let now = pose_now(i);
-      if less(solid_distance(i, local_of(now, path.position)), -p.spacing * TOUCH) {
+      if less(solid_distance(i, local_of(now, path.position)), -p.touch) {
         let at = local_of(pose_before(i), path.start);
         path.position = wrap(flush3(world_point(now, at)));
         path.velocity = flush3(speed_of(now, at));

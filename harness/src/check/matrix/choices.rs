@@ -117,6 +117,8 @@ fn surroundings() -> Vec<Choice> {
                 ("Mirrored", |s| walls_of(s, WallPressure::Mirrored)),
                 ("Dynamic", |s| walls_of(s, WallPressure::Dynamic)),
                 ("Extrapolated", |s| walls_of(s, WallPressure::Extrapolated)),
+                ("LennardJones", |s| walls_of(s, WallPressure::LennardJones)),
+                ("KernelForce", |s| walls_of(s, WallPressure::KernelForce)),
             ],
         ),
         named(
