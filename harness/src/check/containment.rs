@@ -18,7 +18,7 @@ use millpond_core::{OwnedMemory, Solver};
 const NAME: &str = "containment";
 
 /// Time of a run, s, in a full and in a quick study; that of the large runs; and steps between two looks.
-const TIME: [f64; 2] = [3.0, 0.5];
+const TIME: [f64; 2] = [3.0, 0.3];
 const LARGE_TIME: f64 = 10.0;
 const STEPS_PER_LOOK: u64 = 10;
 

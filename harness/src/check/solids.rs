@@ -26,8 +26,8 @@ const COURANT: f32 = 0.25;
 /// Damping of the settling water.
 const ALPHA: f32 = 0.2;
 
-/// Time to settle, and time over which forces are averaged, s.
-const SETTLED: f64 = 3.0;
+/// Time to settle in a full and in a quick study, and time over which forces are averaged, s.
+const SETTLED: [f64; 2] = [3.0, 1.2];
 const AVERAGED: f64 = 0.5;
 const STEPS_PER_SAMPLE: u64 = 20;
 
@@ -93,9 +93,10 @@ fn rest(context: &Context, case: &Case) -> Result<Rest, Failure> {
     let mut heap = OwnedMemory::of(&checked);
     let mut solver = start_with(NAME, &checked, checked.initial_particles().collect(), &mut heap)?;
     let (mut force, mut samples) = (Vec3::ZERO, 0.0);
-    while solver.time() < SETTLED + AVERAGED {
+    let settled = SETTLED[usize::from(context.quick)];
+    while solver.time() < settled + AVERAGED {
         solver.step(&context.pool)?;
-        if solver.time() >= SETTLED && solver.steps().is_multiple_of(STEPS_PER_SAMPLE) {
+        if solver.time() >= settled && solver.steps().is_multiple_of(STEPS_PER_SAMPLE) {
             force += solver.neighbours().force_on_solid(0).unwrap_or_default().force;
             samples += 1.0;
         }
