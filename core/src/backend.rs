@@ -56,9 +56,9 @@ pub mod save {
     pub use crate::save::*;
 }
 
-/// See the module of the same name.
+/// Distances from solids.
 pub mod solids {
-    pub use crate::solids::access::distance_from;
+    pub use crate::solid_state::distance_from;
 }
 
 /// See the module of the same name.

@@ -1,6 +1,5 @@
 //! Solids as the passes see them: their constants and poses, and the point of their surface that is nearest to a
 //! particle.
-pub(crate) mod access;
 pub(crate) mod motion;
 
 use crate::arithmetic::real::{larger, less, root, vec3};

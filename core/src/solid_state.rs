@@ -1,9 +1,9 @@
 //! Solids for the host program: where they are, and how it moves those that it drives. Nothing here is part of a step.
-use super::solids;
 use crate::arithmetic::real::vec3;
 use crate::error::SolidError;
 use crate::layout::{Model, POSE_STRIDE, Parameters, SOLID_STRIDE, f32x4};
 use crate::solids::motion::DRIVEN;
+use crate::solids::solids;
 use crate::solver::Solver;
 use crate::terms::geometry::flush3;
 use crate::terms::integrate::wrap;
