@@ -2,8 +2,8 @@
 //! point nearest to the particle, bent by its curvature. A box stands for its sides: the part of the kernel that lies in
 //! it is the product of the parts between each pair of sides, which is exact for a Gaussian. A cylinder stands for its
 //! ends and its round side in the same way.
-use super::beyond::{Face, Front, NOTHING, with_face};
 use super::context::Setup;
+use super::faces::{Face, Front, NOTHING, with_face};
 use crate::arithmetic::real::{div, less, vec3};
 use crate::solids::{Solid, Surface, solids};
 use crate::terms::beyond::{Beyond, curved_share, part_between, part_in_front_of_curved, part_within};

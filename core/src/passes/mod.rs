@@ -33,6 +33,7 @@ mod closed_solids;
 pub(crate) mod columns;
 pub(crate) mod context;
 mod density_sums;
+mod faces;
 pub(crate) mod field;
 mod group;
 mod half_stencil;
