@@ -7,9 +7,9 @@ use millpond::snapshot::Snapshot;
 use millpond_core::glam::Vec3;
 use millpond_core::scene::{
     AccelerationField, AdaptiveTimeStep, Adjustable, Block, Container, Dimension, Fluid, Formulation, Grid, Integrator,
-    PlaneModel, Recipe, Scene, SurfaceTension, Viscosity, Wind,
+    Motion, PlaneModel, Recipe, Scene, Shape, Solid, SolidModel, SurfaceTension, Viscosity, Wind,
 };
-use millpond_core::{OwnedMemory, Requirements, SceneError, Serial, Solver};
+use millpond_core::{OwnedMemory, Requirements, SceneError, Serial, SolidError, SolidState, Solver};
 use millpond_gpu::{GpuError, GpuSolver, Mode};
 
 mod support;
@@ -266,4 +266,31 @@ fn a_fresh_device_refuses_what_its_first_accelerations_would_not_know() {
     fluid.set_acceleration_field(&points).expect("a field");
     let requirements = Requirements::of(&field.check().expect("a scene"));
     assert!(requirements.counts.field_nodes == points.len());
+}
+
+#[test]
+fn a_solid_that_the_host_drives_moves_alike_on_a_device() {
+    let Some(gpu) = device("changes_between_steps", Mode::Strict) else { return };
+    let mut scene = scene();
+    let ball = Solid::still(Shape::Ball { radius: 0.15 }, [0.65, 0.2, 0.0]);
+    scene.add_solid(Solid { motion: Motion::Driven, model: SolidModel::Penalty, ..ball }).expect("room");
+    let mut heap = memory(&scene);
+    let mut cpu = Solver::new(&scene, heap.lend()).expect("a scene");
+    let mut fluid = GpuSolver::new(&gpu, &cpu).expect("a device that takes it");
+    let to = SolidState {
+        velocity: Vec3::new(-4.0, 0.5, 0.0),
+        angular_velocity: Vec3::new(0.0, 0.0, 9.0),
+        ..cpu.solid(0).expect("a solid")
+    };
+    assert!(matches!(fluid.move_solid(0, to), Err(GpuError::BeforeFirstStep { call: "move_solid" })));
+    for steps_of_each in [7, 40] {
+        steps(&mut cpu, steps_of_each);
+        fluid.step(steps_of_each).expect("steps on the device");
+        assert_eq!(difference(&Snapshot::of_cpu(&cpu), &Snapshot::of_gpu(&fluid).expect("a state")), None);
+        cpu.move_solid(0, to).expect("it is driven");
+        fluid.move_solid(0, to).expect("it is driven");
+    }
+    assert!(cpu.census().flux.hits > 0, "it met the fluid");
+    assert_eq!(fluid.census().expect("a status"), cpu.census());
+    assert!(matches!(fluid.move_solid(1, to), Err(GpuError::Solid(SolidError::NoSuchSolid { solid: 1, solids: 1 }))));
 }

@@ -57,7 +57,7 @@ fn and_one_that_should_end_otherwise_is_found() {
 #[test]
 fn and_a_refusal_that_names_another_field_is_found() {
     let cases = inputs::cases().expect("built-in scenes");
-    assert_eq!(cases.len(), 78 * 4, "every number of a scene");
+    assert_eq!(cases.len(), 93 * 4, "every number of a scene");
     let mut refused = 0;
     for mut case in cases {
         // a field that does not exist, and one that exists and is valid

@@ -25,15 +25,16 @@ impl Neighbours<'_, '_> {
     }
 
     /// Force and torque of the fluid on a solid: the reaction to the accelerations by pressure and friction that it
-    /// causes, at the present positions (tensile control left out). `None` if there is no solid with this index. A solid
-    /// with [`SolidModel::Penalty`](crate::scene::SolidModel::Penalty) feels no force.
+    /// causes, at the present positions (tensile control left out). `None` if there is no solid with this index. With
+    /// [`SolidModel::Penalty`](crate::scene::SolidModel::Penalty) and
+    /// [`SolidModel::Repulsion`](crate::scene::SolidModel::Repulsion) it is 0.
     #[must_use]
     pub fn force_on_solid(&self, solid: usize) -> Option<SolidForce> {
         let origin = self.solver.solid(solid)?.position;
         let state = self.solver.state();
         let all = solids(&self.solver.plan().model, self.solver.parameters(), state.pose);
         let is_closed = all.into_iter().nth(solid)?.is_closed();
-        // of two models the other one has nothing to add
+        // a solid that is neither in closed form nor of particles has no particles to sum over
         Some(if is_closed { self.on_closed_wall(PLANES + solid, origin) } else { self.on_particles_of(solid, origin) })
     }
 

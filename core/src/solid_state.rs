@@ -1,8 +1,7 @@
 //! Solids for the host program: where they are, and how it moves those that it drives. Nothing here is part of a step.
-use crate::arithmetic::real::vec3;
+use crate::arithmetic::real::{flush, vec3};
 use crate::error::SolidError;
-use crate::layout::{Model, POSE_STRIDE, Parameters, SOLID_STRIDE, f32x4};
-use crate::solids::motion::DRIVEN;
+use crate::layout::{DRIVEN, Model, POSE_STRIDE, Parameters, SOLID_STRIDE, f32x4};
 use crate::solids::solids;
 use crate::solver::Solver;
 use crate::terms::geometry::flush3;
@@ -63,7 +62,7 @@ impl SolidState {
         let row = |v: vec3<f32>| [v.x, v.y, v.z, 0.0];
         let place = wrap(m, p, flushed(self.position));
         let turn = flushed(q.xyz());
-        let turn = [turn.x, turn.y, turn.z, crate::arithmetic::real::flush(q.w)];
+        let turn = [turn.x, turn.y, turn.z, flush(q.w)];
         Ok([row(place), turn, row(flushed(self.velocity)), row(flushed(self.angular_velocity))])
     }
 }
@@ -94,11 +93,10 @@ impl Solver<'_> {
     /// A [`SolidError`] if the host does not drive the solid, or if a value is not valid. The fluid stays as it was.
     pub fn move_solid(&mut self, solid: usize, to: SolidState) -> Result<(), SolidError> {
         let rows = to.to_rows(&self.plan().model, self.parameters(), solid)?;
-        let pose = self.state_mut().pose.chunks_exact_mut(POSE_STRIDE).nth(solid);
-        pose.map_or(Ok(()), |pose| {
+        if let Some(pose) = self.state_mut().pose.chunks_exact_mut(POSE_STRIDE).nth(solid) {
             pose.copy_from_slice(&rows);
-            Ok(())
-        })
+        }
+        Ok(())
     }
 }
 

@@ -5,7 +5,7 @@ use core::f32::consts::TAU;
 use millpond_core::backend::terms::motion::sine_of_turns;
 use millpond_core::glam::{Quat, Vec2, Vec3};
 use millpond_core::scene::{
-    Block, Container, Course, Dimension, Emitter, Fluid, Motion, Opening, Scene, Shape, Solid, SolidModel,
+    Block, Container, Course, Dimension, Emitter, Fluid, Motion, Opening, Periodic, Scene, Shape, Solid, SolidModel,
 };
 use millpond_core::{OwnedMemory, Serial, SolidError, SolidState, Solver};
 
@@ -62,6 +62,7 @@ fn distances_are_exact() {
         with_solver(&scene(dimension, solid), |solver| {
             let distance = |x: Vec3| solver.distance_from_solid(0, x).expect("a solid");
             let all = points(dimension);
+            let mut followed = 0;
             for (i, (&x, inside_out)) in all.iter().zip(of_hollow).enumerate() {
                 let d = distance(x);
                 if shape != Shape::Plane {
@@ -77,10 +78,12 @@ fn distances_are_exact() {
                 let along_z = if dimension == two { 0.0 } else { slope(Vec3::Z) };
                 let gradient = Vec3::new(slope(Vec3::X), slope(Vec3::Y), along_z);
                 if d > 0.0 && (gradient.length() - 1.0).abs() < 1e-2 {
+                    followed += 1;
                     let at = distance(x - gradient.normalize() * d);
                     assert!(at.abs() < 2e-3, "{shape:?} at {x}: {d} m away, but {at} m are left");
                 }
             }
+            assert!(followed > 100, "{shape:?}: {followed}");
         });
     }
 }
@@ -222,6 +225,17 @@ fn what_cannot_be_is_refused_by_name() {
                 s.emitters = [Emitter::jet([0.0; 3], Vec3::X, 1.0, Opening::Square(0.1))].into_iter().collect();
                 s.spare_particles = 100;
             }),
+        ),
+        (
+            "a plane must be parallel to every periodic axis",
+            told(
+                two,
+                Solid { turned: Vec3::new(0.0, 0.0, 5.0), ..Solid::still(Shape::Plane, [0.0, -9.0, 0.0]) },
+                &|s| {
+                    let (low, high) = (Vec3::splat(-9.0), Vec3::splat(9.0));
+                    s.periodic = Some(Periodic { low, high, axes: [true, false, false] });
+                },
+            ),
         ),
         ("dimension is 2D", told(two, Solid { turned: Vec3::new(10.0, 0.0, 0.0), ..ball() }, &nothing)),
         (

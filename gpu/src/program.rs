@@ -3,8 +3,8 @@
 use crate::bindings::{CELL_BLOCK, declarations, reads_pairs, sums_over_pairs, workgroup};
 use crate::functions::Functions;
 use millpond_core::backend::layout::{
-    DRAIN_ROWS, MATERIALS, MOST_ATTEMPTS, Materials, Model, PLANES, POSE_STRIDE, Parameters, QUANTITIES_OF_ID,
-    SOLID_ROWS, SOLID_STRIDE, StepUniform, TABLE_ENTRIES, TABLE_WORDS,
+    DRAIN_ROWS, LEAST_STEP, MATERIALS, MOST_ATTEMPTS, MOST_TRACED, Materials, Model, ON_COURSE, PLANES, POSE_STRIDE,
+    Parameters, QUANTITIES_OF_ID, ROUNDS, SOLID_ROWS, SOLID_STRIDE, StepUniform, TABLE_ENTRIES, TABLE_WORDS,
 };
 use millpond_core::scene::SolidModel;
 use millpond_core::{Array, Pass};
@@ -65,6 +65,8 @@ fn head(model: &Model, intrinsics: Intrinsics) -> String {
     out += &format!("const PLANES: u32 = {PLANES}u;\nalias Planes = array<f32x4, PLANES>;\n");
     out += &format!("alias DrainRows = array<f32x4, {DRAIN_ROWS}>;\nalias SolidRows = array<f32x4, {SOLID_ROWS}>;\n");
     out += &format!("const SOLID_STRIDE: u32 = {SOLID_STRIDE}u;\nconst POSE_STRIDE: u32 = {POSE_STRIDE}u;\n");
+    out += &format!("const ON_COURSE: f32 = {ON_COURSE:?}f;\nconst LEAST_STEP: f32 = {LEAST_STEP:?}f;\n");
+    out += &format!("const ROUNDS: u32 = {ROUNDS}u;\nconst MOST_TRACED: u32 = {MOST_TRACED}u;\n");
     out += &format!("const CLOSED_FORM: f32 = {:?}f;\n", SolidModel::ClosedForm as u32 as f32);
     out += &format!("const REPELS: f32 = {:?}f;\n", SolidModel::Repulsion as u32 as f32);
     out += &format!("alias MaterialRows = array<f32x4, {MATERIALS}>;\n");
@@ -98,8 +100,8 @@ pub fn program(pass: Pass, model: &Model, intrinsics: Intrinsics) -> String {
     }
     let calls = |function: &str| loop_text(pass).contains(function);
     let has_solids = model.has_solids == 1;
-    if pass != Pass::MoveSolids && pass.bindings().iter().any(|binding| binding.array == Array::pose) {
-        let is_for_solids = has_solids || matches!(pass, Pass::Carry | Pass::Contact);
+    if pass.bindings().iter().any(|binding| binding.array == Array::pose) {
+        let is_for_solids = has_solids || matches!(pass, Pass::MoveSolids | Pass::Carry | Pass::Contact);
         let [solids, none] = [include_str!("shaders/solids.wgsl"), include_str!("shaders/no_solids.wgsl")];
         out += if is_for_solids { solids } else { none };
     }

@@ -13,7 +13,7 @@ pub struct Options {
     /// Extents of the volume of fluid, m: two in 2D, three in 3D
     #[arg(long, value_name = "X,Y[,Z]", value_delimiter = ',', num_args = 2..=3, default_values_t = [1.0, 1.0, 1.0])]
     size: Vec<f32>,
-    /// Number class, 0 to 10: 5, 10, 16, 32, 40, 48, 64, 80, 96, 112 or 128 particles along the shortest side
+    /// Number class, 0 to 10: the higher, the more particles (class 3 has 32 along the shortest side)
     #[arg(long, value_name = "N", default_value_t = 3)]
     class: u32,
     /// Rest density, kg/m3

@@ -1,8 +1,8 @@
 //! The rows of solids, and their poses at the start.
 use super::materials::VISCOSITY_OF_PARTICLE;
-use crate::layout::{Model, POSE_STRIDE, Parameters, SOLID_ROWS, SOLID_STRIDE, SolidRows, f32x4};
+use crate::layout::{DRIVEN, Model, ON_COURSE, POSE_STRIDE, Parameters, SOLID_ROWS, SOLID_STRIDE, SolidRows, f32x4};
 use crate::scene::{Course, Dimension, Motion, SOLIDS, Scene, Shape, Solid};
-use crate::solids::motion::{DRIVEN, ON_COURSE, on_course};
+use crate::solids::motion::on_course;
 use crate::terms::shape::{BALL, BOX, CAPSULE, CYLINDER, FACET, PLANE, POLYGON};
 use glam::{DQuat, Quat, Vec2, Vec3};
 

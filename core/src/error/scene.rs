@@ -305,8 +305,8 @@ impl fmt::Display for SceneError {
             }
             SceneError::FluidInSolid { solid, particles } => write!(
                 f,
-                "{particles} fluid particles start inside of solids[{solid}]; move the solid or the blocks, or set hollow \
-                 if the fluid is to be inside of it"
+                "{particles} fluid particles start inside of solids[{solid}]; move the solid or the blocks, set \
+                 around_solids in the blocks, or change hollow if the fluid is on the wrong side"
             ),
             SceneError::TooFewPoints { axis, points } => {
                 write!(f, "acceleration_field.counts is {points} along {axis}, but must be at least 2")

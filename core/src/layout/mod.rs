@@ -17,7 +17,9 @@ mod tables;
 pub use materials::{MATERIALS, MaterialRows, Materials};
 pub use model::Model;
 pub use parameters::{DRAIN_ROWS, PLANES, Parameters};
-pub use solids::{POSE_STRIDE, SOLID_ROWS, SOLID_STRIDE, SolidRows};
+pub use solids::{
+    DRIVEN, LEAST_STEP, MOST_TRACED, ON_COURSE, POSE_STRIDE, ROUNDS, SOLID_ROWS, SOLID_STRIDE, SolidRows,
+};
 pub use status::{MOST_ATTEMPTS, NONE, QUANTITIES_OF_ID, Status};
 pub use step_uniform::StepUniform;
 pub use tables::{TABLE_ENTRIES, TABLE_WORDS, TABLES, Tables};

@@ -17,6 +17,21 @@ use super::f32x4;
 /// 8. first side of a polygon, and the number of its sides; z and w unused.
 pub const SOLID_STRIDE: usize = 9;
 
+/// How a solid moves, as the fourth number of its first row: on its course, or as the host says; 0: not at all.
+pub const ON_COURSE: f32 = 1.0;
+/// See [`ON_COURSE`].
+pub const DRIVEN: f32 = 2.0;
+
+/// How often a particle is put back to the surface of solids in a step.
+pub const ROUNDS: u32 = 3;
+
+/// Largest number of steps of a search along a path. After these the particle is where the search has come to, which is
+/// outside of the solid.
+pub const MOST_TRACED: u32 = 64;
+
+/// Smallest step of a search over the length of the path, for paths along a surface.
+pub const LEAST_STEP: f32 = 1.0 / 32.0;
+
 /// Number of rows of the pose of a solid: position, m; rotation, a quaternion (x, y, z, w); velocity, m/s; angular
 /// velocity, 1/s. The w of the others is unused.
 pub const POSE_STRIDE: usize = 4;

@@ -8,8 +8,8 @@ pub const SOLIDS: usize = 16;
 /// Largest number of corners of a polygon.
 pub const CORNERS: usize = 16;
 
-/// A solid body with a smooth surface: an obstacle in the fluid or, if it is `hollow`, a container around it. It is at
-/// rest, moves as the scene prescribes, or as the host program sets it.
+/// A solid: an obstacle in the fluid or, if it is `hollow`, a container around it. It is at rest, or it moves as the scene
+/// prescribes or as the host program says.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Solid {
@@ -22,7 +22,7 @@ pub struct Solid {
     #[cfg_attr(feature = "serde", serde(default))]
     pub position: Vec3,
     /// Rotation of the shape at the start, as a unit quaternion (x, y, z, w; default none). In a scene file
-    /// `turned: (0, 0, 30)` is easier to write; only one of the two may be given.
+    /// `turned: (0, 0, 30)` is easier to write.
     #[cfg_attr(feature = "serde", serde(default))]
     pub rotation: Quat,
     /// Rotation of the shape at the start by angles about x, then y, then z, degrees, which follows `rotation` (default
@@ -45,11 +45,12 @@ pub struct Solid {
     #[cfg_attr(feature = "serde", serde(default = "free_slip"))]
     pub slip: f32,
     /// Dynamic viscosity between the solid and a fluid particle, Pa s, 0 or more (default `None`: that of the fluid
-    /// particle, which means no slip; 0 means free slip). Not with [`SolidModel::Penalty`].
+    /// particle, which means no slip; 0 means free slip). Only with [`SolidModel::ClosedForm`] and
+    /// [`SolidModel::Particles`].
     #[cfg_attr(feature = "serde", serde(default))]
     pub dynamic_viscosity: Option<f32>,
-    /// Strength of the repulsion, m2/s2, 0 or more (default 1). Only with [`SolidModel::Repulsion`]. A column of water of
-    /// the height h is held up by about g h.
+    /// Strength of the repulsion, m2/s2, 0 or more (default 1). Only with [`SolidModel::Repulsion`]. To
+    /// hold a column of water of the height h it needs to be about g h.
     #[cfg_attr(feature = "serde", serde(default = "usual_repulsion"))]
     pub repulsion: f32,
     /// Index of the fluid whose density the particles of the solid have (default 0). Only with

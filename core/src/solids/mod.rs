@@ -5,7 +5,7 @@ pub(crate) mod motion;
 use crate::arithmetic::real::{larger, less, root, vec3};
 use crate::layout::{Model, POSE_STRIDE, Parameters, SOLID_STRIDE, f32x4};
 use crate::scene::SolidModel;
-use crate::terms::geometry::{dot3, length2};
+use crate::terms::geometry::length2;
 use crate::terms::motion::{rotated, rotated_back, velocity_at};
 use crate::terms::pair::separation;
 use crate::terms::shape::{
@@ -198,10 +198,5 @@ impl Solid<'_> {
         let distance = root(length2(nearest)) * outside;
         let normal = direction_or(nearest * outside, direction_or(vec3(along.y, -along.x, 0.0), nearest));
         Surface { distance: distance * self.side(), normal: normal * self.side() }
-    }
-
-    /// Returns how far a point lies behind the plane through `foot`, m.
-    pub(crate) fn depth(foot: vec3<f32>, normal: vec3<f32>, point: vec3<f32>) -> f32 {
-        dot3(foot - point, normal)
     }
 }

@@ -1,6 +1,6 @@
 //! The poses of solids: where a solid is at a time, and how fast it moves.
 use crate::arithmetic::real::{flush, vec3};
-use crate::layout::{Model, POSE_STRIDE, Parameters, SOLID_STRIDE, StepUniform, f32x4};
+use crate::layout::{DRIVEN, Model, ON_COURSE, POSE_STRIDE, Parameters, SOLID_STRIDE, StepUniform, f32x4};
 use crate::terms::geometry::flush3;
 use crate::terms::integrate::{drift, wrap};
 use crate::terms::motion::{
@@ -8,10 +8,6 @@ use crate::terms::motion::{
     sine_of_turns, swing_rate, turned_scalar, turned_vector,
 };
 use crate::terms::time_step::clock_after;
-
-/// How a solid moves, as the fourth number of its first row; 0: not at all.
-pub(crate) const ON_COURSE: f32 = 1.0;
-pub(crate) const DRIVEN: f32 = 2.0;
 
 /// Returns the rows of the pose of a solid at the end of a step that begins at the time of the clock.
 pub(crate) fn moved(

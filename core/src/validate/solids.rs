@@ -127,12 +127,33 @@ fn shape(scene: &Scene, number: usize, solid: &Solid) -> Result<(), SceneError> 
         let period = scene.periodic.map_or(f32::MAX, |periodic| periodic.high[axis] - periodic.low[axis]);
         reach(solid, scene.dimension) + scene.particle_spacing > 0.5 * period
     };
+    if solid.shape == Shape::Plane {
+        return plane_across_periods(scene, number, solid);
+    }
     if scene.periodic_axes().any(spans) {
         return Err(not_together(
             field("solids.shape"),
             "periodic",
             "it reaches further than half of the period, so that its own image would be nearer; make it smaller, or \
              the period longer",
+        ));
+    }
+    Ok(())
+}
+
+/// Rejects a plane that does not go on as it is across a periodic side.
+fn plane_across_periods(scene: &Scene, number: usize, solid: &Solid) -> Result<(), SceneError> {
+    let normal = rotation(solid) * Vec3::Y;
+    let turns = match solid.motion {
+        Motion::Still => false,
+        Motion::Prescribed(course) => course.turns_per_second != 0.0 || course.rocking_degrees != 0.0,
+        Motion::Driven => true,
+    };
+    if scene.periodic_axes().any(|axis| turns || normal[axis].abs() > 1e-6) {
+        return Err(not_together(
+            Field::of_item("solids.shape Plane", number),
+            "periodic",
+            "a plane must be parallel to every periodic axis, and must not turn, so that it goes on across the sides",
         ));
     }
     Ok(())

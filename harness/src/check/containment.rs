@@ -229,9 +229,7 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
     let (mut figures, mut lines) = (Vec::new(), Vec::new());
     for (dimension, spacing, walls, time) in cases {
         let shaken = shake(context, &shaken(dimension, spacing, &walls), time)?;
-        let name = format!("{dimension:?}D, {}, {} particles, {time} s", walls.name(), shaken.particles)
-            .replace("TwoD", "2D")
-            .replace("ThreeD", "3D");
+        let name = format!("{}D, {}, {} particles, {time} s", dimension.count(), walls.name(), shaken.particles);
         figures.push(Metric::below(format!("{name}: outside, in spacings"), shaken.outside, OUTSIDE));
         figures.push(Metric::below(format!("{name}: particles lost"), shaken.lost as f64, 0.0));
         lines.push([name, format!("{:.1}", shaken.hits), format!("{:.1}", shaken.fastest)]);
@@ -240,7 +238,8 @@ pub(super) fn run(context: &Context) -> Result<Outcome, Failure> {
         for model in models {
             for speed in THROWN {
                 let passed = thrown(context, dimension, model, speed)?;
-                let name = format!("{dimension:?}, {model:?}, thrown at {speed} m/s: particles that pass the plate");
+                let name =
+                    format!("{}D, {model:?}, thrown at {speed} m/s: particles that pass the plate", dimension.count());
                 figures.push(Metric::below(name, passed, 0.0));
             }
         }

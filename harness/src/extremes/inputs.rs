@@ -4,9 +4,9 @@ use super::{Case, End, Measure, built_in};
 use crate::failure::Failure;
 use glam::Vec3;
 use millpond_core::scene::{
-    AccelerationField, AdaptiveTimeStep, Air, Container, Drain, Emitter, Face, Fluid, Formulation, GridStructure,
-    NearPressure, Opening, Periodic, PlaneModel, Plasticity, Scene, Shifting, Sliding, SupportRange, SurfaceTension,
-    Wall, WallShape, Wind,
+    AccelerationField, AdaptiveTimeStep, Air, Container, Course, Drain, Emitter, Face, Fluid, Formulation,
+    GridStructure, Motion, NearPressure, Opening, Periodic, PlaneModel, Plasticity, Scene, Shape, Shifting, Sliding,
+    Solid, SolidModel, SupportRange, SurfaceTension, Wall, WallShape, Wind,
 };
 
 /// Number of particles of a case, and number of steps if it starts.
@@ -90,6 +90,24 @@ const NUMBERS: &[(&str, Number)] = &[
     ("drains[0].high", |s| Some(&mut drained(s)?.1[0])),
     ("drains[0].centre", |s| Some(&mut ball(s)?.0[0])),
     ("drains[0].radius", |s| Some(ball(s)?.1)),
+    ("solids[0].position", |s| solid(s)?.position.as_mut().first_mut()),
+    ("solids[0].rotation", |s| Some(&mut solid(s)?.rotation.w)),
+    ("solids[0].turned", |s| Some(&mut solid(s)?.turned.z)),
+    ("solids[0].restitution", |s| Some(&mut solid(s)?.restitution)),
+    ("solids[0].slip", |s| Some(&mut solid(s)?.slip)),
+    ("solids[0].dynamic_viscosity", |s| Some(solid(s)?.dynamic_viscosity.get_or_insert(1.0))),
+    ("solids[0].repulsion", |s| Some(&mut repelling(s)?.repulsion)),
+    ("solids[0].shape.radius", |s| match &mut solid(s)?.shape {
+        Shape::Ball { radius } => Some(radius),
+        _ => None,
+    }),
+    ("solids[0].motion.velocity", |s| course(s)?.velocity.as_mut().first_mut()),
+    ("solids[0].motion.amplitude", |s| course(s)?.amplitude.as_mut().first_mut()),
+    ("solids[0].motion.frequency", |s| Some(&mut course(s)?.frequency)),
+    ("solids[0].motion.phase", |s| Some(&mut course(s)?.phase)),
+    ("solids[0].motion.axis", |s| Some(&mut course(s)?.axis.z)),
+    ("solids[0].motion.turns_per_second", |s| Some(&mut course(s)?.turns_per_second)),
+    ("solids[0].motion.rocking_degrees", |s| Some(&mut course(s)?.rocking_degrees)),
     ("model.surface_threshold", |s| Some(&mut s.model.surface_threshold)),
     ("model.correction.tolerance", |s| Some(&mut s.model.correction.tolerance)),
     ("adaptive.speed", |s| adaptive(s).speed.as_mut()),
@@ -238,6 +256,30 @@ fn ball(scene: &mut Scene) -> Option<(&mut Vec3, &mut f32)> {
     match scene.drains.first_mut()? {
         Drain::Ball { centre, radius } => Some((centre, radius)),
         Drain::Box { .. } => None,
+    }
+}
+
+/// Adds a ball in closed form beside the container, which swings.
+fn solid(scene: &mut Scene) -> Option<&mut Solid> {
+    if scene.solids.is_empty() {
+        let radius = 100.0 * scene.particle_spacing;
+        let course = Course { amplitude: Vec3::new(0.1, 0.0, 0.0), frequency: 1.0, ..Course::default() };
+        let ball = Solid::still(Shape::Ball { radius }, [-1.1 * radius, 0.0, 0.0]);
+        scene.add_solid(Solid { motion: Motion::Prescribed(course), ..ball }).ok()?;
+    }
+    scene.solids.first_mut()
+}
+
+fn repelling(scene: &mut Scene) -> Option<&mut Solid> {
+    let solid = solid(scene)?;
+    solid.model = SolidModel::Repulsion;
+    Some(solid)
+}
+
+fn course(scene: &mut Scene) -> Option<&mut Course> {
+    match &mut solid(scene)?.motion {
+        Motion::Prescribed(course) => Some(course),
+        Motion::Still | Motion::Driven => None,
     }
 }
 

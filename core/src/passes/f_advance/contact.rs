@@ -2,12 +2,11 @@
 //!
 //! A particle is followed from where it was at the start of the step, in the frame of the solid, to where it is now:
 //! the first point of this path inside of the solid counts, so nothing passes through a thin wall however fast it is.
-//! A point of the path can be as far away as its distance from the surface says, so the search makes steps of this
-//! length (sphere tracing, Hart 1996), and most particles need none. In a corner a particle is put back up to three
-//! times.
+//! From each point the search goes on by the distance to the surface, since nothing is nearer (sphere tracing, Hart
+//! 1996), and most particles need no search. In a corner a particle is put back up to three times.
 use crate::arithmetic::real::{larger, less, root, vec3};
 use crate::executor::{Jobs, parts, shares, take};
-use crate::layout::f32x4;
+use crate::layout::{LEAST_STEP, MOST_TRACED, ROUNDS, f32x4};
 use crate::passes::context::{Setup, Step};
 use crate::passes::lanes::is_wall;
 use crate::solids::{Solid, Surface, solids};
@@ -15,15 +14,6 @@ use crate::terms::boundary::{depth_behind, put_back, reflected, share_behind, sh
 use crate::terms::geometry::{dot3, flush3, length2};
 use crate::terms::integrate::{has_history, history_reversed, wrap};
 use crate::terms::shape::{FACET, direction_or};
-
-/// How often a particle is put back in a step.
-const ROUNDS: u32 = 3;
-
-/// Largest number of steps of a search. After these the particle is where the search has come to, which is outside.
-const MOST_TRACED: u32 = 64;
-
-/// Smallest step of a search over the length of the path, for paths along a surface.
-const LEAST_STEP: f32 = 1.0 / 32.0;
 
 /// Where a path comes to a solid, in the frame of the solid.
 struct Hit {
@@ -52,8 +42,7 @@ fn first_hit(solid: &Solid<'_>, touch: f32, from: vec3<f32>, to: vec3<f32>) -> O
     let mut at = from;
     for _ in 0..MOST_TRACED {
         at = from + way * share_of_way(traced, length);
-        let distance = solid.distance(at);
-        let normal = solid.surface(at).normal;
+        let Surface { distance, normal } = solid.surface(at);
         if less(distance, touch) && less(dot3(normal, way), 0.0) {
             return Some(Hit { foot: at, normal });
         }
@@ -92,7 +81,7 @@ fn touched(setup: &Setup<'_>, path: Path, [before, now]: [Solid<'_>; 2]) -> Path
         before.local_near(now.away(path.position), path.start, path.position, &now)
     };
     let Some(Hit { foot, normal }) = first_hit(&now, touch, from, to) else { return path };
-    let depth = Solid::depth(foot, normal, to);
+    let depth = dot3(foot - to, normal);
     if !less(0.0, depth) {
         return path;
     }

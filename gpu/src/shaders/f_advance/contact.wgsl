@@ -1,8 +1,5 @@
 // Puts particles that came into a solid back to its surface, and reflects their velocities. CPU counterpart:
 // core/src/passes/f_advance/contact.rs, which explains the method.
-const ROUNDS: u32 = 3u;
-const MOST_TRACED: u32 = 64u;
-const LEAST_STEP: f32 = 0.03125f;
 
 fn pose_before(i: u32) -> Pose {
   let r = i * POSE_STRIDE;
