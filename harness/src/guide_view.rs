@@ -11,7 +11,7 @@ use std::path::PathBuf;
 #[derive(Clone, Debug, clap::Args)]
 pub struct Options {
     /// Extents of the volume of fluid, m: two in 2D, three in 3D
-    #[arg(long, value_name = "X,Y[,Z]", value_delimiter = ',', num_args = 2..=3, default_values_t = [1.0, 1.0, 1.0])]
+    #[arg(long, value_name = "X,Y[,Z]", value_delimiter = ',', default_value = "1,1,1", allow_hyphen_values = true)]
     size: Vec<f32>,
     /// Number class, 0 to 10: the higher, the more particles (class 3 has 32 along the shortest side)
     #[arg(long, value_name = "N", default_value_t = 3)]
@@ -41,9 +41,15 @@ pub struct Options {
 /// # Errors
 /// A choice from which no scene follows, or a file that cannot be written.
 pub fn execute(options: &Options) -> Result<bool, Failure> {
-    let (dimension, depth) = match options.size[..] {
-        [_, _, z] => (Dimension::Three, z),
-        _ => (Dimension::Two, 0.0),
+    let (dimension, size) = match options.size[..] {
+        [x, y] => (Dimension::Two, Vec3::new(x, y, 0.0)),
+        [x, y, z] => (Dimension::Three, Vec3::new(x, y, z)),
+        _ => {
+            return Err(Failure::Call(format!(
+                "--size has {} extents: give two in 2D, three in 3D",
+                options.size.len()
+            )));
+        }
     };
     let fluid = Fluid {
         rest_density: options.density,
@@ -51,13 +57,7 @@ pub fn execute(options: &Options) -> Result<bool, Failure> {
         dynamic_viscosity: options.viscosity,
         ..Fluid::default()
     };
-    let guide = Guide {
-        dimension,
-        size: Vec3::new(options.size[0], options.size[1], depth),
-        number_class: options.class,
-        fluid,
-        average_neighbours: options.neighbours,
-    };
+    let guide = Guide { dimension, size, number_class: options.class, fluid, average_neighbours: options.neighbours };
     let origin = || "guide".into();
     let (guided, scene) = guide.derive().map_err(|error| Failure::Scene { origin: origin(), error })?;
     let Guided { counts: [x, y, z], particles, fixed_distance, particle_spacing, .. } = guided;
